@@ -1,0 +1,1 @@
+//! The textbook loop that Hooke is measured against, and its scenes.

@@ -1,0 +1,4 @@
+//! Runs Hooke's scenes from the desktop.
+
+pub mod model;
+pub mod record;

@@ -1,0 +1,69 @@
+//! A scene made flat: what its generators made of it, ready to be stepped and drawn.
+
+/// How a particle is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hold {
+    /// It moves as the forces on it say.
+    Free,
+    /// It stays where it is.
+    Pinned,
+    /// It follows the track of this number in [`Model::tracks`].
+    Track(u32),
+}
+
+/// One particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelParticle {
+    /// m
+    pub position: [f64; 3],
+    /// m/s
+    pub velocity: [f64; 3],
+    /// kg, more than 0
+    pub mass: f64,
+    /// Free, pinned, or on a track.
+    pub hold: Hold,
+}
+
+/// One spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelSpring {
+    /// The particles it joins.
+    pub between: [u32; 2],
+    /// N/m
+    pub stiffness: f64,
+    /// N·s/m
+    pub damping: f64,
+    /// m
+    pub rest_length: f64,
+}
+
+/// One plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelPlane {
+    /// A point on it, m.
+    pub point: [f64; 3],
+    /// Its direction, of length 1.
+    pub normal: [f64; 3],
+    /// 0 to 1
+    pub restitution: f64,
+}
+
+/// The prescribed positions of a kinematic particle: straight from each key to the next.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// `(t, x)`: s and m, times strictly increasing, at least one.
+    pub keys: Vec<(f64, [f64; 3])>,
+}
+
+/// Particles, springs and planes, numbered as the scene file says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    /// In the order of the scene's numbers.
+    pub particles: Vec<ModelParticle>,
+    /// In file order.
+    pub springs: Vec<ModelSpring>,
+    /// In file order.
+    pub planes: Vec<ModelPlane>,
+    /// Of kinematic particles.
+    pub tracks: Vec<Track>,
+}

@@ -1,0 +1,1 @@
+//! Problems with their exact solutions, and one checker for every stepper.
