@@ -67,3 +67,21 @@ pub struct Model {
     /// Of kinematic particles.
     pub tracks: Vec<Track>,
 }
+
+/// Where a picture is seen from: what a scene leaves out is chosen to show all of it.
+#[derive(
+    Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
+)]
+#[serde(deny_unknown_fields)]
+pub struct CameraChoice {
+    /// The eye, m.
+    pub position: Option<[f64; 3]>,
+    /// What it looks at, m.
+    pub target: Option<[f64; 3]>,
+    /// What is up in the picture; against gravity if left out, or z where there is none.
+    pub up: Option<[f64; 3]>,
+    /// From the top of the picture to its bottom, degrees, more than 0 and less than 180.
+    pub field_of_view: Option<f64>,
+    /// Width and height of the picture, pixels.
+    pub size: Option<[u32; 2]>,
+}
