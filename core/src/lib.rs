@@ -1,5 +1,19 @@
 //! Physics-based animation: particles joined by springs.
 #![cfg_attr(not(feature = "std"), no_std)]
 
-pub mod real;
+mod collisions;
+mod forces;
+mod real;
+mod step;
+mod steppers;
+mod sums;
+mod types;
+mod vectors;
+mod world;
+
+pub use collisions::{Project, Reflect, Response, TimeOfImpact};
 pub use real::Real;
+pub use step::Observer;
+pub use steppers::{ExplicitEuler, SemiImplicitEuler, Stepper, VelocityVerlet};
+pub use types::*;
+pub use world::{Column, Container, Coverage, Fixed, Plan, Storage, View, World};

@@ -69,9 +69,7 @@ pub struct Model {
 }
 
 /// Where a picture is seen from: what a scene leaves out is chosen to show all of it.
-#[derive(
-    Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema,
-)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CameraChoice {
     /// The eye, m.

@@ -1,0 +1,231 @@
+//! One particle between planes: where its path meets them, what a bounce does, and how it comes to rest.
+
+use super::contact::{Support, resting, support, touching};
+use crate::Real;
+use crate::types::Plane;
+use crate::vectors::{along, dot};
+use crate::world::System;
+
+/// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches.
+///
+/// An elastic particle in a wedge of angle θ bounces at most ⌈π/θ⌉ times between two visits to its depth; with gravity
+/// and losses in a corner there can be infinitely many in a finite time, and only those on a single plane are summed.
+pub const MOST_BOUNCES: u32 = 10_000;
+
+/// A particle that nothing but a constant acceleration moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Flight<R> {
+    /// m
+    pub position: [R; 3],
+    /// m/s
+    pub velocity: [R; 3],
+}
+
+/// What happened on the way.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bounces {
+    /// How many.
+    pub hits: u32,
+    /// Whether there were too many to follow.
+    pub capped: bool,
+    /// The kinetic energy lost, over the mass, m²/s².
+    pub lost: f64,
+}
+
+/// The path x + τ v + β τ² a: β is ½ where it is exact, 0 or 1 where Euler draws it.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<'a, R> {
+    pub planes: &'a [Plane<R>],
+    pub gravity: [R; 3],
+    /// β
+    pub curvature: R,
+}
+
+impl<R: Real> Flight<R> {
+    /// The state τ later, without planes.
+    pub fn after(self, tau: R, acceleration: [R; 3], curvature: R) -> Self {
+        let position = along(self.position, tau, along(self.velocity, curvature * tau, acceleration));
+        Self { position, velocity: along(self.velocity, tau, acceleration) }
+    }
+
+    /// Gives it this normal velocity, and rounds its position to the plane that it has come to.
+    ///
+    /// A particle that started beyond the plane stays beyond it: a bounce does not move particles.
+    pub fn put_on(&mut self, plane: &Plane<R>, normal_velocity: R) {
+        let gap = plane.gap(self.position);
+        if gap.abs() <= R::from_f64(4.0) * touching(plane, self.position) {
+            self.position = along(self.position, -gap, plane.normal);
+        }
+        self.velocity = along(self.velocity, normal_velocity - dot(plane.normal, self.velocity), plane.normal);
+    }
+}
+
+/// When c + v τ + b τ² first falls through 0 at a τ > 0, or at once if it is there and falling; c ≥ 0.
+///
+/// Neither form subtracts nearly equal numbers.
+pub fn first_contact<R: Real>(c: R, v: R, b: R) -> Option<R> {
+    let two = R::from_f64(2.0);
+    let discriminant = v * v - R::from_f64(4.0) * b * c;
+    if discriminant < R::ZERO {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    if v < R::ZERO {
+        return Some(two * c / (root - v));
+    }
+    (b < R::ZERO).then(|| (v + root) / (-two * b))
+}
+
+impl<'a, R: Real> Path<'a, R> {
+    /// The path of a particle in free flight; a held one moves uniformly, through planes too.
+    pub fn of(system: &System<'a, R>, slot: u32, curvature: R) -> Self {
+        if system.is_dynamic(slot) {
+            Self { planes: system.planes, gravity: system.gravity, curvature }
+        } else {
+            Self { planes: &[], gravity: [R::ZERO; 3], curvature }
+        }
+    }
+
+    /// What the planes that it lies on leave of gravity.
+    pub fn acceleration(&self, flight: &Flight<R>) -> [R; 3] {
+        support(self.planes, flight.position, flight.velocity, self.gravity).allow(self.gravity)
+    }
+
+    /// Flies for `duration` (s), bouncing.
+    pub fn fly(&self, flight: &mut Flight<R>, duration: R) -> Bounces {
+        let mut bounces = Bounces::default();
+        let mut rest = duration;
+        while bounces.hits < MOST_BOUNCES {
+            let a = self.acceleration(flight);
+            let Some((tau, plane, _)) = self.next_hit(flight, a) else { break };
+            if tau >= rest {
+                break;
+            }
+            let (speed, impact) = self.impact(flight, tau, plane, a);
+            bounces.hits += 1;
+            rest = rest - tau;
+            *flight = impact;
+            match self.settling_time(plane, speed) {
+                Some(settling) if settling <= rest && self.is_alone(flight, plane, settling) => {
+                    // Infinitely many bounces fit into the rest of the time: it comes to rest at the end of them.
+                    bounces.lost += half_square(speed);
+                    self.settle(flight, plane, settling);
+                    rest = rest - settling;
+                }
+                _ => {
+                    let away = plane.restitution * speed;
+                    bounces.lost += half_square(speed) - half_square(away);
+                    flight.put_on(plane, away);
+                }
+            }
+        }
+        bounces.capped = bounces.hits == MOST_BOUNCES;
+        if bounces.capped {
+            bounces.lost += self.stop(flight);
+        }
+        *flight = flight.after(rest, self.acceleration(flight), self.curvature);
+        bounces
+    }
+
+    /// When the first plane is met, which one it is, and its number.
+    pub fn next_hit(&self, flight: &Flight<R>, a: [R; 3]) -> Option<(R, &'a Plane<R>, u32)> {
+        let mut first: Option<(R, &Plane<R>, u32)> = None;
+        for (number, plane) in (0..).zip(self.planes) {
+            if let Some(tau) = self.time_to(plane, flight, a)
+                && first.is_none_or(|(earliest, ..)| tau < earliest)
+            {
+                first = Some((tau, plane, number));
+            }
+        }
+        first
+    }
+
+    /// When a plane is met; nothing if it is not, or if the particle lies on it.
+    fn time_to(&self, plane: &Plane<R>, flight: &Flight<R>, a: [R; 3]) -> Option<R> {
+        let gap = plane.gap(flight.position);
+        let speed = dot(plane.normal, flight.velocity);
+        let pull = dot(plane.normal, a);
+        if gap <= touching(plane, flight.position) {
+            if speed < -resting(flight.velocity) {
+                return Some(R::ZERO);
+            }
+            // What lies on the plane, or slides along it, was held up there already: only a throw brings it back.
+            if speed <= resting(flight.velocity) {
+                return None;
+            }
+        }
+        first_contact(gap.at_least(R::ZERO), speed, self.curvature * pull)
+    }
+
+    /// The speed of the impact after τ, and the particle there.
+    pub fn impact(&self, flight: &Flight<R>, tau: R, plane: &Plane<R>, a: [R; 3]) -> (R, Flight<R>) {
+        let there = flight.after(tau, a, self.curvature);
+        let half = R::from_f64(0.5);
+        if self.curvature == half && tau > R::ZERO {
+            // From the energy, not as a difference of velocities.
+            let (v, pull) = (dot(plane.normal, flight.velocity), dot(plane.normal, a));
+            let gap = plane.gap(flight.position).at_least(R::ZERO);
+            return ((v * v - R::from_f64(2.0) * pull * gap).at_least(R::ZERO).sqrt(), there);
+        }
+        ((-dot(plane.normal, there.velocity)).at_least(R::ZERO), there)
+    }
+
+    /// How long the bounces after an impact of this speed go on: 2 e u/(|g_n| (1 − e)); nothing if they never end.
+    ///
+    /// On a path that is not exact there is no such sum, and only a particle that does not bounce at all settles.
+    pub fn settling_time(&self, plane: &Plane<R>, speed: R) -> Option<R> {
+        let press = -dot(plane.normal, self.gravity);
+        let exact = self.curvature == R::from_f64(0.5);
+        let losing = plane.restitution < R::ONE;
+        if !(press > R::ZERO && losing && (exact || plane.restitution == R::ZERO)) {
+            return None;
+        }
+        let away = plane.restitution * speed;
+        Some(R::from_f64(2.0) * away / (press * (R::ONE - plane.restitution)))
+    }
+
+    /// Whether no other plane is met while it bounces on this one for so long: neither on its way along the plane nor
+    /// as high as the first of the bounces takes it.
+    pub fn is_alone(&self, flight: &Flight<R>, plane: &Plane<R>, settling: R) -> bool {
+        let mut sliding = *flight;
+        sliding.put_on(plane, R::ZERO);
+        let supported = Support::Normal(plane.normal);
+        let a = supported.allow(self.gravity);
+        let pull = dot(plane.normal, self.gravity).abs();
+        // No bounce rises above the height that half the settling time would fall through.
+        let height = R::from_f64(0.125) * pull * settling * settling;
+        self.planes.iter().filter(|other| !core::ptr::eq(*other, plane)).all(|other| {
+            let lift = height * dot(other.normal, plane.normal).at_most(R::ZERO);
+            let gap = other.gap(sliding.position) + lift;
+            let speed = dot(other.normal, sliding.velocity);
+            gap > touching(other, sliding.position)
+                && first_contact(gap, speed, self.curvature * dot(other.normal, a)).is_none_or(|tau| tau > settling)
+        })
+    }
+
+    /// Comes to rest on a plane, sliding along it meanwhile.
+    pub fn settle(&self, flight: &mut Flight<R>, plane: &Plane<R>, settling: R) {
+        flight.put_on(plane, R::ZERO);
+        let a = Support::Normal(plane.normal).allow(self.gravity);
+        *flight = flight.after(settling, a, self.curvature);
+        flight.put_on(plane, R::ZERO);
+    }
+
+    /// Stops it on the planes that it touches. Returns the kinetic energy lost, over the mass.
+    pub fn stop(&self, flight: &mut Flight<R>) -> f64 {
+        let before = dot(flight.velocity, flight.velocity).to_f64();
+        for plane in self.planes {
+            if plane.gap(flight.position) <= touching(plane, flight.position)
+                && dot(plane.normal, flight.velocity) != R::ZERO
+            {
+                flight.put_on(plane, R::ZERO);
+            }
+        }
+        0.5 * (before - dot(flight.velocity, flight.velocity).to_f64())
+    }
+}
+
+/// ½ u², exactly rounded in `f64`.
+pub fn half_square<R: Real>(speed: R) -> f64 {
+    0.5 * speed.to_f64() * speed.to_f64()
+}

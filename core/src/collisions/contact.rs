@@ -1,0 +1,122 @@
+//! Rest on planes: which of them hold a particle up, and what they leave of its acceleration.
+
+use crate::Real;
+use crate::types::Plane;
+use crate::vectors::{Columns, ColumnsMut, along, at, cross, dot, fetch, read, scaled, store};
+use crate::world::System;
+
+/// Roundings that a position or a velocity may be away from a plane's and still count as on it: a dozen operations
+/// at most lie between a hit and the next test, each wrong by half an EPSILON of the largest term.
+const ROUNDINGS: f64 = 32.0;
+
+/// The directions that planes take from a particle at rest on them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Support<R> {
+    /// None: no plane presses.
+    None,
+    /// The normal of one plane.
+    Normal([R; 3]),
+    /// All but the line along which two planes meet.
+    AllBut([R; 3]),
+    /// All: it sits in a corner.
+    All,
+}
+
+impl<R: Real> Support<R> {
+    /// What is left of a vector.
+    #[inline]
+    pub fn allow(self, vector: [R; 3]) -> [R; 3] {
+        match self {
+            Self::None => vector,
+            Self::Normal(normal) => along(vector, -dot(normal, vector), normal),
+            Self::AllBut(line) => scaled(dot(line, vector), line),
+            Self::All => [R::ZERO; 3],
+        }
+    }
+}
+
+/// The gap (m) up to which a particle counts as touching a plane.
+#[inline]
+pub fn touching<R: Real>(plane: &Plane<R>, position: [R; 3]) -> R {
+    let scale = position.iter().fold(plane.offset.abs(), |sum, component| sum + component.abs());
+    R::from_f64(ROUNDINGS) * R::EPSILON * scale
+}
+
+/// The normal speed (m/s) up to which a particle counts as neither coming nor going.
+#[inline]
+pub fn resting<R: Real>(velocity: [R; 3]) -> R {
+    R::from_f64(ROUNDINGS) * R::EPSILON * velocity.iter().fold(R::ZERO, |sum, component| sum + component.abs())
+}
+
+/// Whether a particle lies on a plane, or beyond it, without moving away from it or into it.
+#[inline]
+pub fn lies_on<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3]) -> bool {
+    plane.gap(position) <= touching(plane, position) && dot(plane.normal, velocity).abs() <= resting(velocity)
+}
+
+/// The planes that hold a particle up against the acceleration a: those that it lies on and that a presses it
+/// against, so that what they leave of a is the allowed vector nearest to it (Gauss's principle of least constraint).
+pub fn support<R: Real>(planes: &[Plane<R>], position: [R; 3], velocity: [R; 3], a: [R; 3]) -> Support<R> {
+    let touched = |plane: &&Plane<R>| lies_on(plane, position, velocity);
+    let pressed = |plane: &Plane<R>| dot(plane.normal, a) < R::ZERO;
+    let allowed = |vector: [R; 3], but: [&Plane<R>; 2]| {
+        planes
+            .iter()
+            .filter(touched)
+            .filter(|plane| !but.iter().any(|other| core::ptr::eq(*plane, *other)))
+            .all(|plane| dot(plane.normal, vector) >= R::ZERO)
+    };
+    if !planes.iter().any(|plane| pressed(plane) && touched(&plane)) {
+        return Support::None;
+    }
+    for plane in planes.iter().filter(touched).filter(|plane| pressed(plane)) {
+        let one = Support::Normal(plane.normal);
+        if allowed(one.allow(a), [plane, plane]) {
+            return one;
+        }
+    }
+    for first in planes.iter().filter(touched).filter(|plane| pressed(plane)) {
+        for second in planes.iter().filter(touched) {
+            let line = cross(first.normal, second.normal);
+            let length = dot(line, line).sqrt();
+            if length <= R::EPSILON {
+                continue;
+            }
+            let two = Support::AllBut(scaled(R::ONE / length, line));
+            if allowed(two.allow(a), [first, second]) && push_apart(first, second, a) {
+                return two;
+            }
+        }
+    }
+    Support::All
+}
+
+/// Whether both planes push, rather than pull, to keep a on the line where they meet.
+fn push_apart<R: Real>(first: &Plane<R>, second: &Plane<R>, a: [R; 3]) -> bool {
+    // a + λ₁ n₁ + λ₂ n₂ has no component along n₁ or n₂.
+    let cosine = dot(first.normal, second.normal);
+    let (b_1, b_2) = (dot(first.normal, a), dot(second.normal, a));
+    b_1 - cosine * b_2 <= R::ZERO && b_2 - cosine * b_1 <= R::ZERO
+}
+
+/// Takes from the accelerations of the particles that springs pull at what planes hold up.
+pub fn hold_up<R: Real>(
+    system: &System<'_, R>,
+    position: Columns<'_, R>,
+    velocity: Columns<'_, R>,
+    mut accelerations: ColumnsMut<'_, R>,
+) {
+    if system.planes.is_empty() {
+        return;
+    }
+    for slot in 0..system.plan.attached {
+        if at(system.inverse_mass, slot) == R::ZERO {
+            continue;
+        }
+        let a = fetch(read(&accelerations), slot);
+        let supported = support(system.planes, fetch(position, slot), fetch(velocity, slot), a);
+        if supported != Support::None {
+            store(&mut accelerations, slot, supported.allow(a));
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! The response that also puts particles back on the plane.
+
+use super::Response;
+use super::reflect::answer;
+use crate::Real;
+use crate::forces::energy::{elastic, gravitational};
+use crate::step::{Observer, finish, refuse_non_finite};
+use crate::steppers::Stepper;
+use crate::types::{StepError, StepReport};
+use crate::vectors::along;
+use crate::world::View;
+
+/// Like [`super::Reflect`], and a particle that is answered is moved along the normal to n·x = offset.
+///
+/// Of first order in the time step. Lifting a particle changes its potential energy, and that of its springs; the
+/// ledger counts it with the impact.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Project;
+
+impl<R: Real> Response<R> for Project {
+    const LOCATES_HITS: bool = false;
+
+    fn step(
+        &mut self,
+        view: &mut View<'_, R>,
+        stepper: &mut impl Stepper<R>,
+        dt: R,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
+        let mut report = stepper.advance(view, dt);
+        report.substeps = 1;
+        refuse_non_finite(view)?;
+        observer.advanced(view, dt);
+        let watched = observer.watches() && view.system.plan.planes > 0;
+        let potential = |view: &View<'_, R>| {
+            if watched { elastic(&view.system, &view.next) + gravitational(&view.system, &view.next) } else { 0.0 }
+        };
+        let before = potential(view);
+        let mut answer =
+            answer(&view.system, &mut view.next, |plane, gap, position| along(position, -gap, plane.normal));
+        if answer.hits > 0 {
+            answer.lost += before - potential(view);
+        }
+        finish(view, dt, &mut report, &answer, observer);
+        Ok(report)
+    }
+}

@@ -1,0 +1,74 @@
+//! The response that turns velocities round and leaves positions.
+
+use super::Response;
+use crate::Real;
+use crate::step::{Observer, finish, refuse_non_finite};
+use crate::steppers::Stepper;
+use crate::types::{Plane, StepError, StepReport};
+use crate::vectors::{along, at, dot, fetch, read, store};
+use crate::world::{State, System, View};
+
+/// Once, after the positions are updated, planes in file order: a particle with n·x < offset and n·v < 0 gets −e times
+/// its normal velocity. It stays where it is.
+///
+/// Of first order in the time step, and a particle at rest sinks: each step's fall is answered only afterwards.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reflect;
+
+impl<R: Real> Response<R> for Reflect {
+    const LOCATES_HITS: bool = false;
+
+    fn step(
+        &mut self,
+        view: &mut View<'_, R>,
+        stepper: &mut impl Stepper<R>,
+        dt: R,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
+        let mut report = stepper.advance(view, dt);
+        report.substeps = 1;
+        refuse_non_finite(view)?;
+        observer.advanced(view, dt);
+        let answer = answer(&view.system, &mut view.next, |_, _, position| position);
+        finish(view, dt, &mut report, &answer, observer);
+        Ok(report)
+    }
+}
+
+/// What a response did at the end of a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Answer {
+    /// Bounces.
+    pub hits: u32,
+    /// Kinetic energy lost in them, J.
+    pub lost: f64,
+}
+
+/// Reflects every particle that satisfies the condition of a plane, and moves it as `displace` says.
+pub fn answer<R: Real>(
+    system: &System<'_, R>,
+    state: &mut State<'_, R>,
+    displace: impl Fn(&Plane<R>, R, [R; 3]) -> [R; 3],
+) -> Answer {
+    let mut answer = Answer::default();
+    for plane in system.planes {
+        for slot in 0..system.plan.particles {
+            let position = fetch(read(&state.position), slot);
+            let gap = plane.gap(position);
+            if gap >= R::ZERO || !system.is_dynamic(slot) {
+                continue;
+            }
+            let velocity = fetch(read(&state.velocity), slot);
+            let speed = dot(plane.normal, velocity);
+            if speed < R::ZERO {
+                let change = -(R::ONE + plane.restitution) * speed;
+                store(&mut state.velocity, slot, along(velocity, change, plane.normal));
+                store(&mut state.position, slot, displace(plane, gap, position));
+                let (before, after) = (speed.to_f64(), (plane.restitution * speed).to_f64());
+                answer.hits += 1;
+                answer.lost += 0.5 * at(system.mass, slot).to_f64() * (before * before - after * after);
+            }
+        }
+    }
+    answer
+}

@@ -1,0 +1,286 @@
+//! The response that finds hits inside the step.
+
+use super::bounce::{Flight, Path, first_contact, half_square};
+use super::contact::{lies_on, resting, touching};
+use super::{Answer, Response};
+use crate::Real;
+use crate::forces::net_force;
+use crate::step::{Observer, refuse_non_finite};
+use crate::steppers::Stepper;
+use crate::types::{Full, Plane, StepError, StepReport};
+use crate::vectors::{along, at, dot, fetch, read, store};
+use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View};
+
+/// Parts that hits may cut one step into. What hits after that is stopped where it is, and reported.
+const MOST_SUBSTEPS: u32 = 64;
+
+/// Times that the planes are gone through at one hit: a particle in a wedge is thrown from one to the other.
+const MOST_ROUNDS: u32 = 16;
+
+/// The hit is located inside the step, answered there, and the rest of the step is taken from there.
+///
+/// A particle without springs is flown along the stepper's own path from plane to plane. Where springs pull, the
+/// first hit of any particle cuts the step in two, so that the stepper starts anew after it and keeps its order: the
+/// path between the two states is taken as the parabola through them with the first one's velocity, which is the
+/// explicit steppers' own path and differs from the implicit ones' by dt³.
+///
+/// A particle at rest on planes is held up while it is pressed against them and let go when something pulls it off.
+pub struct TimeOfImpact<R: Real, M: Storage> {
+    /// The state at the start of a step that is cut, for the case that it fails: 6 reals a particle.
+    start: StateColumns<R, M>,
+}
+
+impl<R: Real, M: Storage> TimeOfImpact<R, M> {
+    /// Without room for any particles yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { start: StateColumns::EMPTY }
+    }
+}
+
+impl<R: Real, M: Storage> Default for TimeOfImpact<R, M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
+    const LOCATES_HITS: bool = true;
+
+    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
+        // Only springs and planes together make a step that can fail half-way.
+        let saved = if plan.planes > 0 && plan.springs > 0 { plan.particles as usize } else { 0 };
+        self.start.fit(saved)
+    }
+
+    fn step(
+        &mut self,
+        view: &mut View<'_, R>,
+        stepper: &mut impl Stepper<R>,
+        dt: R,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
+        view.system.support = view.system.plan.planes > 0;
+        let (position, velocity) = self.start.lend();
+        let mut start = Start { state: State { position, velocity }, clock: None };
+        let stepped = step(view, stepper, dt, observer, &mut start);
+        if stepped.is_err() {
+            start.restore(view);
+        }
+        view.system.support = false;
+        stepped
+    }
+}
+
+/// The state before the first cut.
+struct Start<'a, R> {
+    state: State<'a, R>,
+    /// Its time; nothing before the first cut.
+    clock: Option<Clock>,
+}
+
+impl<R: Real> Start<'_, R> {
+    fn save(&mut self, view: &View<'_, R>) {
+        if self.clock.is_none() {
+            self.state.copy_from(&view.current);
+            self.clock = Some(*view.clock);
+        }
+    }
+
+    fn restore(&self, view: &mut View<'_, R>) {
+        if let Some(clock) = self.clock {
+            view.current.copy_from(&self.state);
+            *view.clock = clock;
+            *view.epoch += 2;
+        }
+    }
+}
+
+/// A plane that a particle meets.
+struct Hit<R> {
+    /// After this time, s.
+    tau: R,
+    slot: u32,
+    plane: Plane<R>,
+}
+
+fn step<R: Real>(
+    view: &mut View<'_, R>,
+    stepper: &mut impl Stepper<R>,
+    dt: R,
+    observer: &mut impl Observer<R>,
+    start: &mut Start<'_, R>,
+) -> Result<StepReport, StepError> {
+    let mut report = StepReport::default();
+    let from = view.clock.seconds();
+    let to = view.clock.later(dt.to_f64()).seconds();
+    let mut rest = dt;
+    let mut stopped = Answer::default();
+    if view.system.plan.attached > 0 {
+        while let Some(hit) = advance_to_hit(view, stepper, rest, &mut report)? {
+            report.substeps += 1;
+            if report.substeps == MOST_SUBSTEPS {
+                observer.advanced(view, rest);
+                stopped = stop_all(&view.system, &mut view.next);
+                report.capped += stopped.hits;
+                break;
+            }
+            start.save(view);
+            if hit.tau > R::ZERO {
+                report.add(&stepper.advance(&mut view.attached(), hit.tau));
+                refuse_non_finite(&view.attached())?;
+                observer.advanced(view, hit.tau);
+                view.next.keep(view.system.plan.attached, &view.current);
+            } else {
+                view.next.copy_from(&view.current);
+            }
+            let answer = bounce(&mut view.attached(), &hit, dt);
+            observer.lost_in_impacts(answer.lost);
+            report.hits += answer.hits;
+            view.commit(hit.tau, true);
+            rest = rest - hit.tau;
+        }
+        if stopped.hits == 0 {
+            observer.advanced(view, rest);
+        }
+    }
+    let lost = match stepper.fly(view, from, to, &mut report) {
+        Some(lost) => lost,
+        None => fly_along(view, stepper.curvature(), dt, &mut report),
+    };
+    refuse_non_finite(view)?;
+    observer.lost_in_impacts(stopped.lost + lost);
+    report.substeps += 1;
+    view.commit(rest, stopped.hits > 0);
+    Ok(report)
+}
+
+/// Advances what springs pull at to the end of the step, and finds the first hit on the way there.
+fn advance_to_hit<R: Real>(
+    view: &mut View<'_, R>,
+    stepper: &mut impl Stepper<R>,
+    rest: R,
+    report: &mut StepReport,
+) -> Result<Option<Hit<R>>, StepError> {
+    let mut attached = view.attached();
+    report.add(&stepper.advance(&mut attached, rest));
+    refuse_non_finite(&attached)?;
+    Ok(first_hit(&attached, rest))
+}
+
+/// The first hit of any particle between the current state and the next one, `duration` seconds later.
+fn first_hit<R: Real>(view: &View<'_, R>, duration: R) -> Option<Hit<R>> {
+    let mut first: Option<Hit<R>> = None;
+    for plane in view.system.planes {
+        for slot in 0..view.system.plan.particles {
+            let after = plane.gap(fetch(read(&view.next.position), slot));
+            let velocity = fetch(read(&view.current.velocity), slot);
+            let speed = dot(plane.normal, velocity);
+            if after >= R::ZERO && speed >= R::ZERO || !view.system.is_dynamic(slot) {
+                continue;
+            }
+            let position = fetch(read(&view.current.position), slot);
+            let tau = time_to(plane, position, velocity, after, duration);
+            if let Some(tau) = tau
+                && tau < first.as_ref().map_or(duration, |hit| hit.tau)
+            {
+                first = Some(Hit { tau, slot, plane: *plane });
+            }
+        }
+    }
+    first
+}
+
+/// When a plane is met, given the gap `after` the time `duration`; nothing if the particle lies on it.
+fn time_to<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3], after: R, duration: R) -> Option<R> {
+    let gap = plane.gap(position);
+    let speed = dot(plane.normal, velocity);
+    if gap <= touching(plane, position) && speed < -resting(velocity) {
+        return Some(R::ZERO);
+    }
+    if lies_on(plane, position, velocity) {
+        return None;
+    }
+    let bend = (after - gap - speed * duration) / (duration * duration);
+    first_contact(gap.at_least(R::ZERO), speed, bend)
+}
+
+/// Answers a hit that the next state is at, and every other that it is at too.
+fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
+    let mut answer = Answer::default();
+    let View { system, next, force_density, .. } = view;
+    let mut respond = |next: &mut State<'_, R>, plane: &Plane<R>, slot: u32, located: bool| {
+        let mut flight =
+            Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
+        let speed = -dot(plane.normal, flight.velocity);
+        let near = plane.gap(flight.position) <= R::from_f64(4.0) * touching(plane, flight.position);
+        if !(located || near) || speed <= resting(flight.velocity) || !system.is_dynamic(slot) {
+            return false;
+        }
+        let pull = net_force(read(&next.position), force_density, slot, system.springs.of_slot(slot));
+        let pressed = -dot(plane.normal, along(system.gravity, at(system.inverse_mass, slot), pull));
+        let mut away = plane.restitution * speed;
+        let (two, losing) = (R::from_f64(2.0), R::ONE - plane.restitution);
+        if losing > R::ZERO && pressed > R::ZERO && two * away <= dt * pressed * losing {
+            // All the bounces to come would end within a step: it comes to rest.
+            away = R::ZERO;
+        }
+        if located && hit.tau > R::ZERO {
+            flight.position = along(flight.position, -plane.gap(flight.position), plane.normal);
+        }
+        flight.put_on(plane, away);
+        store(&mut next.position, slot, flight.position);
+        store(&mut next.velocity, slot, flight.velocity);
+        answer.hits += 1;
+        answer.lost += at(system.mass, slot).to_f64() * (half_square(speed) - half_square(away));
+        true
+    };
+    respond(next, &hit.plane, hit.slot, true);
+    for _ in 0..MOST_ROUNDS {
+        let mut answered = false;
+        for plane in system.planes {
+            for slot in 0..system.plan.particles {
+                answered |= respond(next, plane, slot, false);
+            }
+        }
+        if !answered {
+            break;
+        }
+    }
+    answer
+}
+
+/// Takes from every particle the velocity with which it goes further into a plane.
+fn stop_all<R: Real>(system: &System<'_, R>, state: &mut State<'_, R>) -> Answer {
+    let mut answer = Answer::default();
+    for plane in system.planes {
+        for slot in 0..system.plan.attached {
+            let velocity = fetch(read(&state.velocity), slot);
+            let speed = dot(plane.normal, velocity);
+            let beyond = plane.gap(fetch(read(&state.position), slot)) < R::ZERO;
+            if beyond && speed < R::ZERO && system.is_dynamic(slot) {
+                store(&mut state.velocity, slot, along(velocity, -speed, plane.normal));
+                answer.hits += 1;
+                answer.lost += at(system.mass, slot).to_f64() * half_square(speed);
+            }
+        }
+    }
+    answer
+}
+
+/// Flies the particles without springs through a whole step, along the stepper's path. Returns the energy lost, J.
+fn fly_along<R: Real>(view: &mut View<'_, R>, curvature: R, dt: R, report: &mut StepReport) -> f64 {
+    let View { system, current, next, .. } = view;
+    let mut lost = 0.0;
+    for slot in system.plan.attached..system.plan.particles {
+        let mut flight =
+            Flight { position: fetch(read(&current.position), slot), velocity: fetch(read(&current.velocity), slot) };
+        let bounces = Path::of(system, slot, curvature).fly(&mut flight, dt);
+        store(&mut next.position, slot, flight.position);
+        store(&mut next.velocity, slot, flight.velocity);
+        report.hits += bounces.hits;
+        report.capped += u32::from(bounces.capped);
+        lost += at(system.mass, slot).to_f64() * bounces.lost;
+    }
+    lost
+}

@@ -1,0 +1,83 @@
+//! Energies and powers, summed in `f64` whatever the precision of the world, and only when asked for.
+
+use super::net_force;
+use crate::Real;
+use crate::sums::sum;
+use crate::vectors::{ColumnsMut, at, difference, dot, fetch, read};
+use crate::world::{Coverage, State, System};
+
+/// Σ ½ m v² over the particles that are not held, J.
+pub fn kinetic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
+    sum(system.plan.particles, |slot| {
+        if !system.is_dynamic(slot) {
+            return 0.0;
+        }
+        let v = exactly(&state.velocity, slot);
+        0.5 * at(system.mass, slot).to_f64() * dot(v, v)
+    })
+}
+
+/// −Σ m g·x over the particles that are not held, J.
+pub fn gravitational<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
+    if !system.plan.gravity {
+        return 0.0;
+    }
+    let g = system.gravity.map(Real::to_f64);
+    sum(system.plan.particles, |slot| {
+        if !system.is_dynamic(slot) {
+            return 0.0;
+        }
+        -at(system.mass, slot).to_f64() * dot(g, exactly(&state.position, slot))
+    })
+}
+
+/// Σ ½ k (l − l_rest)², J.
+pub fn elastic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
+    sum(system.plan.springs, |spring| {
+        let (length, _) = length_and_rate(system, state, spring);
+        let extension = length - at(system.springs.rest_length, spring).to_f64();
+        0.5 * at(system.springs.stiffness, spring).to_f64() * extension * extension
+    })
+}
+
+/// The power that damping takes: Σ k_d l̇², W.
+pub fn damping_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
+    if system.plan.damped == Coverage::None {
+        return 0.0;
+    }
+    sum(system.plan.springs, |spring| {
+        let (_, rate) = length_and_rate(system, state, spring);
+        at(system.springs.damping, spring).to_f64() * rate * rate
+    })
+}
+
+/// The power that moving pins put in: −Σ f·v over the held particles, f being what the springs pull them with, W.
+pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>, force_density: &mut [R]) -> f64 {
+    if system.plan.held == 0 || system.plan.springs == 0 {
+        return 0.0;
+    }
+    let (position, velocity) = (read(&state.position), read(&state.velocity));
+    system.force_densities(position, velocity, force_density);
+    -sum(system.plan.attached, |slot| {
+        let v = exactly(&state.velocity, slot);
+        if system.is_dynamic(slot) || v == [0.0; 3] {
+            return 0.0;
+        }
+        let force = net_force(position, force_density, slot, system.springs.of_slot(slot));
+        dot(force.map(Real::to_f64), v)
+    })
+}
+
+/// The vector of a slot in `f64`.
+fn exactly<R: Real>(columns: &ColumnsMut<'_, R>, slot: u32) -> [f64; 3] {
+    fetch(read(columns), slot).map(Real::to_f64)
+}
+
+/// A spring's length, m, and how fast it grows, m/s.
+fn length_and_rate<R: Real>(system: &System<'_, R>, state: &State<'_, R>, spring: u32) -> (f64, f64) {
+    let [i, j] = at(system.springs.ends, spring);
+    let d = difference(exactly(&state.position, j), exactly(&state.position, i));
+    let v = difference(exactly(&state.velocity, j), exactly(&state.velocity, i));
+    let length = Real::sqrt(dot(d, d));
+    (length, if length > 0.0 { dot(v, d) / length } else { 0.0 })
+}

@@ -1,0 +1,108 @@
+//! One step: the stepper advances the state, the response answers collisions, the observer looks on.
+
+use crate::Real;
+use crate::collisions::{Answer, Response};
+use crate::steppers::Stepper;
+use crate::types::{StepError, StepReport};
+use crate::vectors::at;
+use crate::world::{Container, Storage, View};
+
+/// Somebody who follows a world through its steps, part by part. `()` looks away, and costs nothing.
+pub trait Observer<R: Real> {
+    /// Whether anything is done with what it is told.
+    fn watches(&self) -> bool;
+
+    /// The stepper has written the state `dt` seconds after the current one to the next one; collisions have not been
+    /// answered yet.
+    fn advanced(&mut self, view: &mut View<'_, R>, dt: R);
+
+    /// Impacts have taken this energy, J.
+    fn lost_in_impacts(&mut self, energy: f64);
+}
+
+impl<R: Real> Observer<R> for () {
+    fn watches(&self) -> bool {
+        false
+    }
+    fn advanced(&mut self, _view: &mut View<'_, R>, _dt: R) {}
+    fn lost_in_impacts(&mut self, _energy: f64) {}
+}
+
+impl<R: Real> View<'_, R> {
+    /// Takes one step of `dt` seconds.
+    ///
+    /// # Errors
+    /// If `dt` is not positive and finite, a workspace is too small, or the result would not be finite. The state is
+    /// then as it was.
+    pub fn step(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        response: &mut impl Response<R>,
+        dt: R,
+    ) -> Result<StepReport, StepError> {
+        self.step_observed(stepper, response, dt, &mut ())
+    }
+
+    /// Takes one step of `dt` seconds, followed by an observer such as the [`crate::Ledger`].
+    ///
+    /// # Errors
+    /// Like [`View::step`].
+    pub fn step_observed(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        response: &mut impl Response<R>,
+        dt: R,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
+        if !(dt > R::ZERO && dt.is_finite()) {
+            return Err(StepError::TimeStep);
+        }
+        stepper.fit(&self.system.plan)?;
+        response.fit(&self.system.plan)?;
+        response.step(self, stepper, dt, observer)
+    }
+}
+
+impl<R: Real, M: Storage> Container<R, M> {
+    /// Takes one step of `dt` seconds.
+    ///
+    /// # Errors
+    /// Like [`View::step`].
+    pub fn step(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        response: &mut impl Response<R>,
+        dt: R,
+    ) -> Result<StepReport, StepError> {
+        self.view().step(stepper, response, dt)
+    }
+}
+
+/// Makes the next state, in which collisions have been answered, the current one.
+pub(crate) fn finish<R: Real>(
+    view: &mut View<'_, R>,
+    dt: R,
+    report: &mut StepReport,
+    answer: &Answer,
+    observer: &mut impl Observer<R>,
+) {
+    report.hits += answer.hits;
+    if answer.hits > 0 {
+        observer.lost_in_impacts(answer.lost);
+    }
+    view.commit(dt, answer.hits > 0);
+}
+
+/// Refuses a next state that is not finite, naming the first particle by number.
+pub(crate) fn refuse_non_finite<R: Real>(view: &View<'_, R>) -> Result<(), StepError> {
+    let columns = || view.next.position.iter().chain(&view.next.velocity);
+    let finite = columns().all(|column| column.iter().fold(true, |finite, value| finite & value.is_finite()));
+    if finite {
+        return Ok(());
+    }
+    let particles = columns().flat_map(|column| {
+        let slots = (0..).zip(column.iter()).filter(|(_, value)| !value.is_finite());
+        slots.map(|(slot, _)| at(view.system.particle_at, slot))
+    });
+    Err(StepError::NonFinite { particle: particles.min().unwrap_or(0) })
+}

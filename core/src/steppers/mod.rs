@@ -1,0 +1,36 @@
+//! Steppers, one a file: they differ only where the mathematics does, and each owns what it needs to remember.
+
+mod explicit_euler;
+mod semi_implicit_euler;
+mod velocity_verlet;
+
+pub use explicit_euler::ExplicitEuler;
+pub use semi_implicit_euler::SemiImplicitEuler;
+pub use velocity_verlet::VelocityVerlet;
+
+use crate::Real;
+use crate::types::{Full, StepReport};
+use crate::world::{Plan, View};
+
+/// A rule that makes the state a time step later from the state now.
+pub trait Stepper<R: Real> {
+    /// Makes room for a world.
+    ///
+    /// # Errors
+    /// If the workspace has a fixed capacity and the world is larger.
+    fn fit(&mut self, _plan: &Plan) -> Result<(), Full> {
+        Ok(())
+    }
+
+    /// Writes the state `dt` seconds after the current one to the next one. Planes are not its business.
+    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport;
+
+    /// β in the path x + τ v + β τ² a that it takes a particle along that nothing but gravity pulls at.
+    fn curvature(&self) -> R;
+
+    /// Flies the particles that no spring pulls at exactly from the time `from`, that of the current state, to the
+    /// time `to`, and returns the energy lost in impacts, J. Nothing if it does not: they then take the path above.
+    fn fly(&mut self, _view: &mut View<'_, R>, _from: f64, _to: f64, _report: &mut StepReport) -> Option<f64> {
+        None
+    }
+}

@@ -1,0 +1,69 @@
+//! A plane that particles bounce on.
+
+use crate::Real;
+use crate::vectors::{dot, scaled};
+
+use super::AddPlaneError;
+
+/// The plane n·x = offset; particles live on the side that n points to.
+///
+/// A particle hits it when n·x < offset while n·v < 0. Its normal velocity then becomes −e times itself and its
+/// tangential velocity is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane<R> {
+    pub(crate) normal: [R; 3],
+    pub(crate) offset: R,
+    pub(crate) restitution: R,
+}
+
+impl<R: Real> Plane<R> {
+    /// The plane through `point` (m) across `normal`, which need not have length 1, with restitution e from 0 to 1.
+    ///
+    /// # Errors
+    /// If the normal is 0 or not finite, the point not finite, or the restitution outside 0…1.
+    pub fn through(
+        point: impl Into<R::Vec3>,
+        normal: impl Into<R::Vec3>,
+        restitution: R,
+    ) -> Result<Self, AddPlaneError<R>> {
+        let point: [R; 3] = point.into().into();
+        let normal: [R; 3] = normal.into().into();
+        if !(restitution >= R::ZERO && restitution <= R::ONE) {
+            return Err(AddPlaneError::Restitution(restitution));
+        }
+        if !point.iter().all(|component| component.is_finite()) {
+            return Err(AddPlaneError::Point);
+        }
+        // Divided by its largest component first: the squares of a tiny or huge normal would be 0 or infinite.
+        let largest = normal.iter().fold(R::ZERO, |largest, component| largest.at_least(component.abs()));
+        if !(largest > R::ZERO && largest.is_finite()) {
+            return Err(AddPlaneError::Normal);
+        }
+        let direction = normal.map(|component| component / largest);
+        let unit = scaled(R::ONE / dot(direction, direction).sqrt(), direction);
+        Ok(Self { normal: unit, offset: dot(unit, point), restitution })
+    }
+
+    /// n, of length 1.
+    #[must_use]
+    pub fn normal(&self) -> R::Vec3 {
+        self.normal.into()
+    }
+
+    /// n·x of its points, m.
+    #[must_use]
+    pub fn offset(&self) -> R {
+        self.offset
+    }
+
+    /// e, from 0 to 1.
+    #[must_use]
+    pub fn restitution(&self) -> R {
+        self.restitution
+    }
+
+    /// How far a position lies above it, m.
+    pub(crate) fn gap(&self, position: [R; 3]) -> R {
+        dot(self.normal, position) - self.offset
+    }
+}

@@ -1,0 +1,55 @@
+//! What a step tells of itself.
+
+/// What happened in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepReport {
+    /// Whether every equation that the step had to solve was solved to the tolerance; true for explicit steppers.
+    pub converged: bool,
+    /// Newton iterations; 0 for explicit steppers.
+    pub iterations: u32,
+    /// Iterations of the linear solver inside Newton's; 0 for explicit steppers.
+    pub linear_iterations: u32,
+    /// The largest remaining residual of those equations, relative to the size of their terms.
+    pub residual: f64,
+    /// Evaluations of all spring forces.
+    pub force_evaluations: u32,
+    /// Bounces on planes.
+    pub hits: u32,
+    /// The parts that hits cut the step into: 1 without any.
+    pub substeps: u32,
+    /// Particles whose hits were too many to follow one by one: they were stopped on the planes they touch.
+    pub capped: u32,
+    /// Springs of length 0, which have no direction and so exerted no force, in the last evaluation.
+    pub degenerate_springs: u32,
+}
+
+impl Default for StepReport {
+    fn default() -> Self {
+        Self {
+            converged: true,
+            iterations: 0,
+            linear_iterations: 0,
+            residual: 0.0,
+            force_evaluations: 0,
+            hits: 0,
+            substeps: 0,
+            capped: 0,
+            degenerate_springs: 0,
+        }
+    }
+}
+
+impl StepReport {
+    /// Adds what happened in a later part of the same step.
+    pub fn add(&mut self, later: &Self) {
+        self.converged &= later.converged;
+        self.iterations += later.iterations;
+        self.linear_iterations += later.linear_iterations;
+        self.residual = if later.residual > self.residual { later.residual } else { self.residual };
+        self.force_evaluations += later.force_evaluations;
+        self.hits += later.hits;
+        self.substeps += later.substeps;
+        self.capped += later.capped;
+        self.degenerate_springs = later.degenerate_springs;
+    }
+}

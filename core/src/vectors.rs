@@ -1,0 +1,128 @@
+//! Vectors of three, alone and in columns: what every kernel is written with.
+//!
+//! Nothing here can fail: a read past the end gives 0 and a write past the end does nothing. Preparation makes sure
+//! that neither happens.
+
+use crate::Real;
+
+/// Three columns, read: x, y, z of each particle.
+pub type Columns<'a, R> = [&'a [R]; 3];
+
+/// Three columns, written.
+pub type ColumnsMut<'a, R> = [&'a mut [R]; 3];
+
+/// Three written columns, lent for reading.
+#[inline(always)]
+pub fn read<'a, R>(columns: &'a ColumnsMut<'_, R>) -> Columns<'a, R> {
+    let [x, y, z] = columns;
+    [x, y, z]
+}
+
+/// Three written columns, lent on.
+#[inline(always)]
+pub fn lend<'a, R>(columns: &'a mut ColumnsMut<'_, R>) -> ColumnsMut<'a, R> {
+    let [x, y, z] = columns;
+    [x, y, z]
+}
+
+/// Item `index`, or its type's default past the end.
+#[inline(always)]
+pub fn at<T: Copy + Default>(items: &[T], index: u32) -> T {
+    items.get(index as usize).copied().unwrap_or_default()
+}
+
+/// Sets item `index`, or nothing past the end.
+#[inline(always)]
+pub fn put<T>(items: &mut [T], index: u32, value: T) {
+    if let Some(item) = items.get_mut(index as usize) {
+        *item = value;
+    }
+}
+
+/// The vector of particle `index`.
+#[inline(always)]
+pub fn fetch<R: Real>(columns: Columns<'_, R>, index: u32) -> [R; 3] {
+    columns.map(|column| at(column, index))
+}
+
+/// Sets the vector of particle `index`.
+#[inline(always)]
+pub fn store<R: Real>(columns: &mut ColumnsMut<'_, R>, index: u32, vector: [R; 3]) {
+    for (column, component) in columns.iter_mut().zip(vector) {
+        put(column, index, component);
+    }
+}
+
+/// a·b
+#[inline(always)]
+pub fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    ax * bx + ay * by + az * bz
+}
+
+/// a − b
+#[inline(always)]
+pub fn difference<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [ax - bx, ay - by, az - bz]
+}
+
+/// s a
+#[inline(always)]
+pub fn scaled<R: Real>(s: R, a: [R; 3]) -> [R; 3] {
+    a.map(|component| s * component)
+}
+
+/// a + s b
+#[inline(always)]
+pub fn along<R: Real>(a: [R; 3], s: R, b: [R; 3]) -> [R; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [ax + s * bx, ay + s * by, az + s * bz]
+}
+
+/// a × b
+#[inline(always)]
+pub fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+/// out = a + s b, over whole columns.
+#[inline]
+pub fn advance_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>, s: R, b: Columns<'_, R>) {
+    for ((out, a), b) in out.into_iter().zip(a).zip(b) {
+        for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+            *out = *a + s * *b;
+        }
+    }
+}
+
+/// out += s b, over whole columns.
+#[inline]
+pub fn increase_columns<R: Real>(out: ColumnsMut<'_, R>, s: R, b: Columns<'_, R>) {
+    for (out, b) in out.into_iter().zip(b) {
+        for (out, b) in out.iter_mut().zip(b) {
+            *out += s * *b;
+        }
+    }
+}
+
+/// out = a, over whole columns.
+#[inline]
+pub fn copy_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>) {
+    for (out, a) in out.into_iter().zip(a) {
+        for (out, a) in out.iter_mut().zip(a) {
+            *out = *a;
+        }
+    }
+}
+
+/// Accelerations a turned into the velocities v + dt a, in place.
+#[inline]
+pub fn velocities_from_accelerations<R: Real>(accelerations: ColumnsMut<'_, R>, v: Columns<'_, R>, dt: R) {
+    for (a, v) in accelerations.into_iter().zip(v) {
+        for (a, v) in a.iter_mut().zip(v) {
+            *a = *v + dt * *a;
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! The time of a world.
+
+/// Seconds since the start, summed with their rounding error kept aside (Neumaier), so that millions of small steps
+/// add up to what they should. It is `f64` in every world: a second of 1e-3 s steps is beyond what `f32` can add.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Clock {
+    sum: f64,
+    residual: f64,
+}
+
+impl Clock {
+    /// At 0 s.
+    pub const START: Self = Self { sum: 0.0, residual: 0.0 };
+
+    /// s
+    pub fn seconds(self) -> f64 {
+        self.sum + self.residual
+    }
+
+    /// The clock `duration` seconds later.
+    #[must_use]
+    pub fn later(self, duration: f64) -> Self {
+        let sum = self.sum + duration;
+        let lost =
+            if self.sum.abs() >= duration.abs() { (self.sum - sum) + duration } else { (duration - sum) + self.sum };
+        Self { sum, residual: self.residual + lost }
+    }
+}

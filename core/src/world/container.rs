@@ -1,0 +1,273 @@
+//! The world as its user holds it.
+
+use super::clock::Clock;
+use super::layout::{ParticleColumns, SpringColumns};
+use super::plan::Plan;
+use super::prepare::{list_incidences, partition};
+use super::storage::{Column, Fixed, Storage};
+use super::view::{Springs, State, System, View};
+use crate::Real;
+use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Spring};
+use crate::vectors::{at, fetch, store};
+
+/// A world of fixed capacity: nothing is ever allocated.
+///
+/// It takes 14 reals and 12 bytes a particle, 4 reals and 24 bytes a spring, and 5 reals a plane.
+pub type World<R, const PARTICLES: usize, const SPRINGS: usize, const PLANES: usize> =
+    Container<R, Fixed<PARTICLES, SPRINGS, PLANES>>;
+
+/// Particles, springs and planes, in whatever columns `M` provides.
+pub struct Container<R: Real, M: Storage> {
+    particles: ParticleColumns<R, M>,
+    springs: SpringColumns<R, M>,
+    planes: M::Planes<Plane<R>>,
+    gravity: [R; 3],
+    clock: Clock,
+    front: usize,
+    epoch: u64,
+    changes: u64,
+    plan: Option<Plan>,
+}
+
+impl<R: Real, M: Storage> Default for Container<R, M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<R: Real, M: Storage> Container<R, M> {
+    /// Without any particles, springs, planes or gravity, at 0 s.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            particles: ParticleColumns::EMPTY,
+            springs: SpringColumns::EMPTY,
+            planes: Column::EMPTY,
+            gravity: [R::ZERO; 3],
+            clock: Clock::START,
+            front: 0,
+            epoch: 0,
+            changes: 0,
+            plan: None,
+        }
+    }
+
+    /// Adds a particle and returns its number: 0 for the first, one more for each that follows.
+    ///
+    /// # Errors
+    /// If there is no room for it, its mass is not positive and finite, or its state is not finite.
+    pub fn add_particle(&mut self, particle: Particle<R>) -> Result<u32, AddParticleError<R>> {
+        if !(particle.mass > R::ZERO && particle.mass.is_finite()) {
+            return Err(AddParticleError::Mass(particle.mass));
+        }
+        if !(finite(particle.position.into()) && finite(particle.velocity.into())) {
+            return Err(AddParticleError::NotFinite);
+        }
+        let number = self.particles.push(particle)?;
+        self.disturb();
+        self.plan = None;
+        Ok(number)
+    }
+
+    /// Adds a spring and returns its number. Two particles may have any number of springs between them.
+    ///
+    /// # Errors
+    /// If there is no room for it, an end does not exist, both ends are the same, or a parameter is negative or not
+    /// finite.
+    pub fn add_spring(&mut self, spring: Spring<R>) -> Result<u32, AddSpringError<R>> {
+        let [first, second] = spring.between;
+        for particle in spring.between {
+            if particle >= self.particles.count() {
+                return Err(AddSpringError::NoSuchParticle(particle));
+            }
+        }
+        if first == second {
+            return Err(AddSpringError::SameParticle(first));
+        }
+        let valid = |value: R| value >= R::ZERO && value.is_finite();
+        if !valid(spring.stiffness) {
+            return Err(AddSpringError::Stiffness(spring.stiffness));
+        }
+        if !valid(spring.damping) {
+            return Err(AddSpringError::Damping(spring.damping));
+        }
+        if !valid(spring.rest_length) {
+            return Err(AddSpringError::RestLength(spring.rest_length));
+        }
+        let slots = spring.between.map(|particle| at(self.particles.slot_of.items(), particle));
+        let number = self.springs.push(spring, slots)?;
+        self.disturb();
+        self.plan = None;
+        Ok(number)
+    }
+
+    /// Adds a plane and returns its number; collisions are answered in this order.
+    ///
+    /// # Errors
+    /// If there is no room for it.
+    pub fn add_plane(&mut self, plane: Plane<R>) -> Result<u32, AddPlaneError<R>> {
+        let number = self.planes.items().len() as u32;
+        self.planes.push(plane).map_err(AddPlaneError::Full)?;
+        self.disturb();
+        self.plan = None;
+        Ok(number)
+    }
+
+    /// Sets the gravitational acceleration, m/s².
+    ///
+    /// # Errors
+    /// If it is not finite.
+    pub fn set_gravity(&mut self, gravity: impl Into<R::Vec3>) -> Result<(), SetError> {
+        let gravity = gravity.into().into();
+        if !finite(gravity) {
+            return Err(SetError::NotFinite);
+        }
+        self.gravity = gravity;
+        self.disturb();
+        self.plan = None;
+        Ok(())
+    }
+
+    /// Puts a particle somewhere else (m).
+    ///
+    /// # Errors
+    /// If there is no such particle, or the position is not finite.
+    pub fn set_position(&mut self, particle: u32, position: impl Into<R::Vec3>) -> Result<(), SetError> {
+        let slot = self.slot(particle)?;
+        let position = position.into().into();
+        if !finite(position) {
+            return Err(SetError::NotFinite);
+        }
+        let (mut positions, _) = self.current_mut();
+        store(&mut positions, slot, position);
+        self.disturb();
+        Ok(())
+    }
+
+    /// Gives a particle another velocity (m/s). This is how a kinematic particle is moved; a pinned one becomes
+    /// kinematic by it.
+    ///
+    /// # Errors
+    /// If there is no such particle, or the velocity is not finite.
+    pub fn set_velocity(&mut self, particle: u32, velocity: impl Into<R::Vec3>) -> Result<(), SetError> {
+        let slot = self.slot(particle)?;
+        let velocity = velocity.into().into();
+        if !finite(velocity) {
+            return Err(SetError::NotFinite);
+        }
+        let (_, mut velocities) = self.current_mut();
+        store(&mut velocities, slot, velocity);
+        self.disturb();
+        Ok(())
+    }
+
+    /// Pins a particle, lets it go, or makes it kinematic. A particle that is pinned loses its velocity.
+    ///
+    /// # Errors
+    /// If there is no such particle.
+    pub fn set_hold(&mut self, particle: u32, hold: Hold) -> Result<(), SetError> {
+        let slot = self.slot(particle)?;
+        let mass = at(self.particles.mass.items(), slot);
+        let inverse = if hold == Hold::Free { R::ONE / mass } else { R::ZERO };
+        crate::vectors::put(self.particles.inverse_mass.items_mut(), slot, inverse);
+        if hold == Hold::Pinned {
+            let (_, mut velocities) = self.current_mut();
+            store(&mut velocities, slot, [R::ZERO; 3]);
+        }
+        self.disturb();
+        self.plan = None;
+        Ok(())
+    }
+
+    /// Where a particle is, m; nothing if there is no such particle.
+    #[must_use]
+    pub fn position(&self, particle: u32) -> Option<R::Vec3> {
+        let slot = self.slot(particle).ok()?;
+        Some(fetch(self.particles.state.get(self.front)?.position(), slot).into())
+    }
+
+    /// How fast a particle moves, m/s; nothing if there is no such particle.
+    #[must_use]
+    pub fn velocity(&self, particle: u32) -> Option<R::Vec3> {
+        let slot = self.slot(particle).ok()?;
+        Some(fetch(self.particles.state.get(self.front)?.velocity(), slot).into())
+    }
+
+    /// The time of the state, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.clock.seconds()
+    }
+
+    /// The world as slices, prepared for stepping.
+    pub fn view(&mut self) -> View<'_, R> {
+        let plan = match self.plan {
+            Some(plan) => plan,
+            None => self.prepare(),
+        };
+        let Self { particles, springs, planes, gravity, clock, front, epoch, changes, .. } = self;
+        let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end } = particles;
+        let (current, next) = if *front == 0 { (a, b) } else { (b, a) };
+        let (position, velocity) = current.lend();
+        let current = State { position, velocity };
+        let (position, velocity) = next.lend();
+        let next = State { position, velocity };
+        let system = System {
+            mass: mass.items(),
+            inverse_mass: inverse_mass.items(),
+            particle_at: particle_at.items(),
+            springs: Springs {
+                ends: springs.ends.items(),
+                stiffness: springs.stiffness.items(),
+                damping: springs.damping.items(),
+                rest_length: springs.rest_length.items(),
+                incidence_end: incidence_end.items(),
+                incidences: springs.incidences.items().as_flattened(),
+            },
+            planes: planes.items(),
+            gravity: *gravity,
+            plan,
+            support: false,
+        };
+        let force_density = springs.force_density.items_mut();
+        let slot_of = slot_of.items();
+        View { system, current, next, force_density, front, epoch, changes: *changes, clock, slot_of }
+    }
+
+    /// Sorts particles into slots, lists their springs, and finds out what the world needs.
+    fn prepare(&mut self) -> Plan {
+        let attached = partition(&mut self.particles, &mut self.springs, self.front);
+        list_incidences(&mut self.particles, &mut self.springs);
+        let plan = Plan {
+            gravity: self.gravity != [R::ZERO; 3],
+            attached,
+            particles: self.particles.count(),
+            held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
+            springs: self.springs.count(),
+            damped: Plan::coverage(self.springs.damping.items()),
+            planes: self.planes.items().len() as u32,
+        };
+        self.disturb();
+        self.plan = Some(plan);
+        plan
+    }
+
+    fn slot(&self, particle: u32) -> Result<u32, SetError> {
+        self.particles.slot_of.items().get(particle as usize).copied().ok_or(SetError::NoSuchParticle(particle))
+    }
+
+    fn current_mut(&mut self) -> (crate::vectors::ColumnsMut<'_, R>, crate::vectors::ColumnsMut<'_, R>) {
+        let [a, b] = &mut self.particles.state;
+        if self.front == 0 { a.lend() } else { b.lend() }
+    }
+
+    /// Tells those who remember something of the state that it has changed.
+    fn disturb(&mut self) {
+        self.epoch += 1;
+        self.changes += 1;
+    }
+}
+
+fn finite<R: Real>(vector: [R; 3]) -> bool {
+    vector.into_iter().all(R::is_finite)
+}

@@ -1,0 +1,156 @@
+//! The data layout: which columns there are, and what each costs. Structure of arrays throughout.
+
+use super::storage::{Column, Storage};
+use crate::Real;
+use crate::types::{AddParticleError, AddSpringError, Full, Hold, Particle, Spring};
+use crate::vectors::{Columns, ColumnsMut};
+
+/// One spring as one of its particles sees it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Incidence {
+    /// The slot of the particle at the other end.
+    pub neighbour: u32,
+    /// The spring.
+    pub spring: u32,
+}
+
+/// Positions and velocities: 6 reals a particle.
+pub struct StateColumns<R: Real, M: Storage> {
+    /// m
+    pub position: [M::Particles<R>; 3],
+    /// m/s
+    pub velocity: [M::Particles<R>; 3],
+}
+
+/// What a particle has: 14 reals and 12 bytes, that is 68 bytes in `f32` and 124 in `f64`.
+///
+/// Particles are kept in *slots*: first those that springs pull at, then those in free flight, each in the order of
+/// their numbers. Nobody outside sees a slot.
+pub struct ParticleColumns<R: Real, M: Storage> {
+    /// The state now and the state that a step is making: 12 reals. A step that fails leaves the first untouched.
+    pub state: [StateColumns<R, M>; 2],
+    /// kg: 1 real.
+    pub mass: M::Particles<R>,
+    /// 1/kg, 0 where pinned or kinematic: 1 real.
+    pub inverse_mass: M::Particles<R>,
+    /// The slot of each particle: 4 bytes.
+    pub slot_of: M::Particles<u32>,
+    /// The particle in each slot: 4 bytes.
+    pub particle_at: M::Particles<u32>,
+    /// Where the incidences of each slot end; they begin where those of the slot before end: 4 bytes.
+    pub incidence_end: M::Particles<u32>,
+}
+
+/// What a spring has: 4 reals and 24 bytes, that is 40 bytes in `f32` and 56 in `f64`.
+pub struct SpringColumns<R: Real, M: Storage> {
+    /// The slots of its particles: 8 bytes.
+    pub ends: M::Springs<[u32; 2]>,
+    /// N/m: 1 real.
+    pub stiffness: M::Springs<R>,
+    /// N·s/m: 1 real.
+    pub damping: M::Springs<R>,
+    /// m: 1 real.
+    pub rest_length: M::Springs<R>,
+    /// Tension over length, N/m, between the two passes of a force evaluation: 1 real.
+    pub force_density: M::Springs<R>,
+    /// The incidences of all particles, two a spring, read as one list: 16 bytes.
+    pub incidences: M::Springs<[Incidence; 2]>,
+}
+
+impl<R: Real, M: Storage> StateColumns<R, M> {
+    pub const EMPTY: Self = Self { position: [const { Column::EMPTY }; 3], velocity: [const { Column::EMPTY }; 3] };
+
+    pub fn position(&self) -> Columns<'_, R> {
+        self.position.each_ref().map(Column::items)
+    }
+
+    pub fn velocity(&self) -> Columns<'_, R> {
+        self.velocity.each_ref().map(Column::items)
+    }
+
+    pub fn lend(&mut self) -> (ColumnsMut<'_, R>, ColumnsMut<'_, R>) {
+        (self.position.each_mut().map(Column::items_mut), self.velocity.each_mut().map(Column::items_mut))
+    }
+
+    /// Makes room for so many particles.
+    pub fn fit(&mut self, count: usize) -> Result<(), Full> {
+        self.position.iter_mut().chain(&mut self.velocity).try_for_each(|column| column.fit(count))
+    }
+
+    fn push(&mut self, position: [R; 3], velocity: [R; 3]) -> Result<(), R> {
+        let columns = self.position.iter_mut().chain(&mut self.velocity);
+        for (column, component) in columns.zip(position.into_iter().chain(velocity)) {
+            column.push(component)?;
+        }
+        Ok(())
+    }
+}
+
+impl<R: Real, M: Storage> ParticleColumns<R, M> {
+    pub const EMPTY: Self = Self {
+        state: [StateColumns::EMPTY, StateColumns::EMPTY],
+        mass: Column::EMPTY,
+        inverse_mass: Column::EMPTY,
+        slot_of: Column::EMPTY,
+        particle_at: Column::EMPTY,
+        incidence_end: Column::EMPTY,
+    };
+
+    pub fn count(&self) -> u32 {
+        // Numbers are 32 bits wide: `push` refuses the particle that would not have one.
+        self.particle_at.items().len() as u32
+    }
+
+    /// Appends a particle that has been checked.
+    pub fn push(&mut self, particle: Particle<R>) -> Result<u32, AddParticleError<R>> {
+        let full = AddParticleError::Full(particle);
+        let number = self.count();
+        if number == u32::MAX {
+            return Err(full);
+        }
+        // Every column has the same capacity, so the first one to be pushed to decides for all.
+        self.particle_at.push(number).map_err(|_| full)?;
+        self.slot_of.push(number).map_err(|_| full)?;
+        self.incidence_end.push(0).map_err(|_| full)?;
+        let free = particle.hold == Hold::Free;
+        self.mass.push(particle.mass).map_err(|_| full)?;
+        self.inverse_mass.push(if free { R::ONE / particle.mass } else { R::ZERO }).map_err(|_| full)?;
+        let velocity = if particle.hold == Hold::Pinned { [R::ZERO; 3] } else { particle.velocity.into() };
+        for state in &mut self.state {
+            state.push(particle.position.into(), velocity).map_err(|_| full)?;
+        }
+        Ok(number)
+    }
+}
+
+impl<R: Real, M: Storage> SpringColumns<R, M> {
+    pub const EMPTY: Self = Self {
+        ends: Column::EMPTY,
+        stiffness: Column::EMPTY,
+        damping: Column::EMPTY,
+        rest_length: Column::EMPTY,
+        force_density: Column::EMPTY,
+        incidences: Column::EMPTY,
+    };
+
+    pub fn count(&self) -> u32 {
+        self.ends.items().len() as u32
+    }
+
+    /// Appends a spring that has been checked, between two slots.
+    pub fn push(&mut self, spring: Spring<R>, ends: [u32; 2]) -> Result<u32, AddSpringError<R>> {
+        let full = AddSpringError::Full(spring);
+        let number = self.count();
+        // Each spring has two incidences, and those are counted in 32 bits.
+        if number >= u32::MAX / 2 {
+            return Err(full);
+        }
+        self.ends.push(ends).map_err(|_| full)?;
+        self.stiffness.push(spring.stiffness).map_err(|_| full)?;
+        self.damping.push(spring.damping).map_err(|_| full)?;
+        self.rest_length.push(spring.rest_length).map_err(|_| full)?;
+        self.force_density.push(R::ZERO).map_err(|_| full)?;
+        self.incidences.push([Incidence::default(); 2]).map_err(|_| full)?;
+        Ok(number)
+    }
+}

@@ -1,0 +1,18 @@
+//! The state, where it is kept, and what is worked out from it before it is stepped.
+
+mod clock;
+mod container;
+mod layout;
+mod plan;
+mod prepare;
+mod storage;
+mod view;
+
+pub use container::{Container, World};
+pub(crate) use layout::{Incidence, StateColumns};
+pub use plan::{Coverage, Plan};
+pub use storage::{Column, Fixed, Storage};
+pub use view::View;
+
+pub(crate) use clock::Clock;
+pub(crate) use view::{Springs, State, System};

@@ -1,0 +1,55 @@
+//! What a world needs, and so what a step of it can leave out.
+
+use crate::Real;
+
+/// How many of the springs have something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Coverage {
+    /// None of them.
+    #[default]
+    None,
+    /// Some of them.
+    Some,
+    /// All of them.
+    All,
+}
+
+/// What a world needs: worked out when it is prepared, so that a step does no more.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Plan {
+    /// Gravity is not 0.
+    pub gravity: bool,
+    /// Particles that springs pull at; the others are in free flight and need no force but gravity.
+    pub attached: u32,
+    /// All particles.
+    pub particles: u32,
+    /// Particles that are pinned or kinematic.
+    pub held: u32,
+    /// Springs: without any, both force passes are left out.
+    pub springs: u32,
+    /// Springs with damping: without any, the force passes read no velocities.
+    pub damped: Coverage,
+    /// Planes: without any, nothing is tested for hits.
+    pub planes: u32,
+}
+
+impl Plan {
+    pub(crate) const NOTHING: Self =
+        Self { gravity: false, attached: 0, particles: 0, held: 0, springs: 0, damped: Coverage::None, planes: 0 };
+
+    /// Particles in free flight: no spring pulls at them.
+    #[must_use]
+    pub fn free(&self) -> u32 {
+        self.particles - self.attached
+    }
+
+    /// How many of the springs are damped.
+    pub(crate) fn coverage<R: Real>(damping: &[R]) -> Coverage {
+        let damped = damping.iter().filter(|damping| **damping != R::ZERO).count();
+        match damped {
+            0 => Coverage::None,
+            some if some < damping.len() => Coverage::Some,
+            _ => Coverage::All,
+        }
+    }
+}

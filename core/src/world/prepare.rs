@@ -1,0 +1,97 @@
+//! Preparation: particles into slots, springs into the lists of their particles.
+//!
+//! It alone decides the order in which the forces on a particle are added: that of the springs' numbers. It runs in
+//! place, in time proportional to the number of particles and springs.
+
+use super::layout::{Incidence, ParticleColumns, SpringColumns};
+use super::storage::{Column, Storage};
+use crate::Real;
+use crate::vectors::{at, put};
+
+/// Moves the particles that springs pull at to the first slots, and returns how many they are.
+pub fn partition<R: Real, M: Storage>(
+    particles: &mut ParticleColumns<R, M>,
+    springs: &mut SpringColumns<R, M>,
+    front: usize,
+) -> u32 {
+    let count = particles.count();
+    let new_slot = particles.incidence_end.items_mut();
+    new_slot.fill(0);
+    for &[first, second] in springs.ends.items() {
+        put(new_slot, first, 1);
+        put(new_slot, second, 1);
+    }
+    let attached = new_slot.iter().sum();
+    let mut next_attached = 0;
+    let mut next_free = attached;
+    let mut moved = false;
+    for (slot, new) in (0..count).zip(new_slot.iter_mut()) {
+        let next = if *new == 1 { &mut next_attached } else { &mut next_free };
+        *new = *next;
+        *next += 1;
+        moved |= *new != slot;
+    }
+    if moved {
+        permute(particles, springs, front);
+    }
+    attached
+}
+
+/// Moves every particle to the slot that `incidence_end` names.
+fn permute<R: Real, M: Storage>(
+    particles: &mut ParticleColumns<R, M>,
+    springs: &mut SpringColumns<R, M>,
+    front: usize,
+) {
+    let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end } = particles;
+    let new_slot = incidence_end.items();
+    // The state that a step would write to is free between steps: one of its columns serves as room to move in.
+    let (current, spare) = if front == 0 { (a, b) } else { (b, a) };
+    let [scratch, _, _] = &mut spare.position;
+    let scratch = scratch.items_mut();
+    let state = current.position.iter_mut().chain(&mut current.velocity);
+    for column in state.chain([mass, inverse_mass]) {
+        scatter(column.items(), new_slot, scratch);
+        column.items_mut().copy_from_slice(scratch);
+    }
+    for slot in slot_of.items_mut() {
+        *slot = at(new_slot, *slot);
+    }
+    for (particle, slot) in (0..).zip(slot_of.items()) {
+        put(particle_at.items_mut(), *slot, particle);
+    }
+    for ends in springs.ends.items_mut() {
+        *ends = ends.map(|slot| at(new_slot, slot));
+    }
+}
+
+fn scatter<R: Real>(from: &[R], new_slot: &[u32], to: &mut [R]) {
+    for (value, slot) in from.iter().zip(new_slot) {
+        put(to, *slot, *value);
+    }
+}
+
+/// Lists the springs of each slot, in the order of their numbers, by counting.
+pub fn list_incidences<R: Real, M: Storage>(particles: &mut ParticleColumns<R, M>, springs: &mut SpringColumns<R, M>) {
+    let ends = springs.ends.items();
+    let cursor = particles.incidence_end.items_mut();
+    cursor.fill(0);
+    for slot in ends.as_flattened() {
+        put(cursor, *slot, at(cursor, *slot) + 1);
+    }
+    let mut start = 0;
+    for entry in cursor.iter_mut() {
+        let degree = *entry;
+        *entry = start;
+        start += degree;
+    }
+    // Each cursor now stands where its slot's incidences begin; filling them moves it to where they end.
+    let incidences = springs.incidences.items_mut().as_flattened_mut();
+    for (spring, &[first, second]) in (0..).zip(ends) {
+        for (slot, neighbour) in [(first, second), (second, first)] {
+            let place = at(cursor, slot);
+            put(incidences, place, Incidence { neighbour, spring });
+            put(cursor, slot, place + 1);
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! A world seen as slices: what kernels and steppers work on, whatever holds the columns.
+
+use super::clock::Clock;
+use super::layout::Incidence;
+use super::plan::Plan;
+use crate::Real;
+use crate::types::Plane;
+use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read};
+
+/// Positions and velocities by slot.
+pub struct State<'a, R> {
+    /// m
+    pub position: ColumnsMut<'a, R>,
+    /// m/s
+    pub velocity: ColumnsMut<'a, R>,
+}
+
+impl<R: Real> State<'_, R> {
+    /// Copies both from another state.
+    pub fn copy_from(&mut self, other: &State<'_, R>) {
+        copy_columns(lend(&mut self.position), read(&other.position));
+        copy_columns(lend(&mut self.velocity), read(&other.velocity));
+    }
+
+    /// Copies both from another state, for the slots from `first` on.
+    pub fn keep(&mut self, first: u32, other: &State<'_, R>) {
+        let columns = self.position.iter_mut().chain(&mut self.velocity);
+        for (column, other) in columns.zip(other.position.iter().chain(&other.velocity)) {
+            for (value, other) in column.iter_mut().zip(other.iter()).skip(first as usize) {
+                *value = *other;
+            }
+        }
+    }
+
+    /// Of the first so many slots.
+    fn first(&mut self, count: u32) -> State<'_, R> {
+        State {
+            position: lend(&mut self.position).map(|column| first(column, count)),
+            velocity: lend(&mut self.velocity).map(|column| first(column, count)),
+        }
+    }
+}
+
+/// The first so many items, or all if there are fewer.
+fn first<R>(column: &mut [R], count: u32) -> &mut [R] {
+    let count = column.len().min(count as usize);
+    column.split_at_mut_checked(count).map_or(&mut [], |(first, _)| first)
+}
+
+/// Springs, and the springs of each slot.
+#[derive(Clone, Copy)]
+pub struct Springs<'a, R> {
+    /// Slots.
+    pub ends: &'a [[u32; 2]],
+    /// N/m
+    pub stiffness: &'a [R],
+    /// N·s/m
+    pub damping: &'a [R],
+    /// m
+    pub rest_length: &'a [R],
+    /// Where the incidences of each slot end.
+    pub incidence_end: &'a [u32],
+    /// Of all slots.
+    pub incidences: &'a [Incidence],
+}
+
+impl<'a, R: Real> Springs<'a, R> {
+    /// The slots from 0 to `attached`, each with its springs in the order in which their forces are added.
+    pub fn by_slot(self, attached: u32) -> impl Iterator<Item = (u32, &'a [Incidence])> {
+        let mut start = 0;
+        (0..attached).zip(self.incidence_end).map(move |(slot, end)| {
+            let incidences = self.incidences.get(start as usize..*end as usize).unwrap_or_default();
+            start = *end;
+            (slot, incidences)
+        })
+    }
+
+    /// The springs of one slot.
+    pub fn of_slot(self, slot: u32) -> &'a [Incidence] {
+        let start = slot.checked_sub(1).map_or(0, |before| at(self.incidence_end, before));
+        let end = at(self.incidence_end, slot);
+        self.incidences.get(start as usize..end as usize).unwrap_or_default()
+    }
+}
+
+/// What stays as it is while a step is made.
+#[derive(Clone, Copy)]
+pub struct System<'a, R> {
+    /// kg, by slot.
+    pub mass: &'a [R],
+    /// 1/kg, by slot; 0 where pinned or kinematic.
+    pub inverse_mass: &'a [R],
+    /// The particle in each slot.
+    pub particle_at: &'a [u32],
+    /// All springs.
+    pub springs: Springs<'a, R>,
+    /// All planes.
+    pub planes: &'a [Plane<R>],
+    /// m/s²
+    pub gravity: [R; 3],
+    /// What of all that there is.
+    pub plan: Plan,
+    /// Whether particles at rest on planes are held up by them while they are pressed against them.
+    pub support: bool,
+}
+
+impl<R: Real> System<'_, R> {
+    /// Whether a particle moves as the forces on it say.
+    pub fn is_dynamic(&self, slot: u32) -> bool {
+        at(self.inverse_mass, slot) > R::ZERO
+    }
+}
+
+/// A prepared world as slices: it steps like the world that it was borrowed from.
+pub struct View<'a, R: Real> {
+    pub(crate) system: System<'a, R>,
+    /// The state now.
+    pub(crate) current: State<'a, R>,
+    /// The state that a step is making.
+    pub(crate) next: State<'a, R>,
+    pub(crate) force_density: &'a mut [R],
+    /// Which of the owner's two states is the current one: 0 or 1.
+    pub(crate) front: &'a mut usize,
+    /// Grows whenever the current state changes, so that who remembers something of it can tell.
+    pub(crate) epoch: &'a mut u64,
+    /// How often the state has been changed from outside, by anything but a step.
+    pub(crate) changes: u64,
+    pub(crate) clock: &'a mut Clock,
+    pub(crate) slot_of: &'a [u32],
+}
+
+impl<R: Real> View<'_, R> {
+    /// What the world needs.
+    #[must_use]
+    pub fn plan(&self) -> &Plan {
+        &self.system.plan
+    }
+
+    /// The time of the current state, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.clock.seconds()
+    }
+
+    /// Where a particle is, m; nothing if there is no such particle.
+    #[must_use]
+    pub fn position(&self, particle: u32) -> Option<R::Vec3> {
+        let slot = *self.slot_of.get(particle as usize)?;
+        Some(fetch(read(&self.current.position), slot).into())
+    }
+
+    /// How fast a particle moves, m/s; nothing if there is no such particle.
+    #[must_use]
+    pub fn velocity(&self, particle: u32) -> Option<R::Vec3> {
+        let slot = *self.slot_of.get(particle as usize)?;
+        Some(fetch(read(&self.current.velocity), slot).into())
+    }
+
+    /// Where all particles are (m) and how fast they move (m/s), in the order of their numbers.
+    pub fn states(&self) -> impl Iterator<Item = (R::Vec3, R::Vec3)> {
+        let (position, velocity) = (read(&self.current.position), read(&self.current.velocity));
+        self.slot_of.iter().map(move |slot| (fetch(position, *slot).into(), fetch(velocity, *slot).into()))
+    }
+
+    /// The same world without the particles in free flight, which nothing that springs pull at depends on.
+    pub(crate) fn attached(&mut self) -> View<'_, R> {
+        let attached = self.system.plan.attached;
+        let plan = Plan { particles: attached, ..self.system.plan };
+        View {
+            system: System { plan, ..self.system },
+            current: self.current.first(attached),
+            next: self.next.first(attached),
+            force_density: self.force_density,
+            front: self.front,
+            epoch: self.epoch,
+            changes: self.changes,
+            clock: self.clock,
+            slot_of: self.slot_of,
+        }
+    }
+
+    /// The state that a step made becomes the current one, `duration` seconds later. `answered` tells whether
+    /// collisions have changed it since the stepper made it.
+    pub(crate) fn commit(&mut self, duration: R, answered: bool) {
+        core::mem::swap(&mut self.current, &mut self.next);
+        *self.front ^= 1;
+        *self.epoch += 1 + u64::from(answered);
+        *self.clock = self.clock.later(duration.to_f64());
+    }
+}
