@@ -3,7 +3,9 @@
 
 mod collisions;
 mod forces;
+mod ledger;
 mod real;
+mod solve;
 mod step;
 mod steppers;
 mod sums;
@@ -12,8 +14,9 @@ mod vectors;
 mod world;
 
 pub use collisions::{Project, Reflect, Response, TimeOfImpact};
+pub use ledger::{Balance, Ledger};
 pub use real::Real;
 pub use step::Observer;
-pub use steppers::{ExplicitEuler, SemiImplicitEuler, Stepper, VelocityVerlet};
+pub use steppers::{ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, Stepper, VelocityVerlet};
 pub use types::*;
 pub use world::{Column, Container, Coverage, Fixed, Plan, Storage, View, World};

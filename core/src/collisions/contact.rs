@@ -10,9 +10,10 @@ use crate::world::System;
 const ROUNDINGS: f64 = 32.0;
 
 /// The directions that planes take from a particle at rest on them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Support<R> {
     /// None: no plane presses.
+    #[default]
     None,
     /// The normal of one plane.
     Normal([R; 3]),

@@ -1,10 +1,9 @@
 //! Energies and powers, summed in `f64` whatever the precision of the world, and only when asked for.
 
-use super::net_force;
 use crate::Real;
 use crate::sums::sum;
-use crate::vectors::{ColumnsMut, at, difference, dot, fetch, read};
-use crate::world::{Coverage, State, System};
+use crate::vectors::{ColumnsMut, at, difference, dot, fetch, read, scaled};
+use crate::world::{Coverage, Incidence, State, System};
 
 /// Σ ½ m v² over the particles that are not held, J.
 pub fn kinetic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
@@ -52,20 +51,32 @@ pub fn damping_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
 }
 
 /// The power that moving pins put in: −Σ f·v over the held particles, f being what the springs pull them with, W.
-pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>, force_density: &mut [R]) -> f64 {
-    if system.plan.held == 0 || system.plan.springs == 0 {
+pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
+    if system.plan.held == 0 {
         return 0.0;
     }
-    let (position, velocity) = (read(&state.position), read(&state.velocity));
-    system.force_densities(position, velocity, force_density);
     -sum(system.plan.attached, |slot| {
         let v = exactly(&state.velocity, slot);
         if system.is_dynamic(slot) || v == [0.0; 3] {
             return 0.0;
         }
-        let force = net_force(position, force_density, slot, system.springs.of_slot(slot));
-        dot(force.map(Real::to_f64), v)
+        let springs = system.springs.of_slot(slot);
+        springs.iter().fold(0.0, |power, incidence| power + dot(pull(system, state, slot, *incidence), v))
     })
+}
+
+/// The force of a spring on the particle in `slot`, N.
+fn pull<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incidence: Incidence) -> [f64; 3] {
+    let Incidence { neighbour, spring } = incidence;
+    let (length, rate) = length_and_rate(system, state, spring);
+    if length == 0.0 {
+        return [0.0; 3];
+    }
+    let d = difference(exactly(&state.position, neighbour), exactly(&state.position, slot));
+    let extension = length - at(system.springs.rest_length, spring).to_f64();
+    let stiffness = at(system.springs.stiffness, spring).to_f64();
+    let damping = at(system.springs.damping, spring).to_f64();
+    scaled((stiffness * extension + damping * rate) / length, d)
 }
 
 /// The vector of a slot in `f64`.

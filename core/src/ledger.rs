@@ -1,0 +1,118 @@
+//! The energy ledger: what the integrator itself has added or lost.
+
+use crate::Real;
+use crate::forces::energy::{damping_power, elastic, gravitational, kinetic, pin_power};
+use crate::step::Observer;
+use crate::world::View;
+
+/// Follows the energy of a world through its steps.
+///
+/// It sums what leaves through damping and impacts and what moving pins put in, by the trapezoidal rule over every
+/// part of a step, in `f64` whatever the precision of the world. What is then missing from the energy is the
+/// integrator's own error.
+#[derive(Clone, Copy, Debug)]
+pub struct Ledger {
+    opened_with: f64,
+    lost_to_damping: f64,
+    lost_in_impacts: f64,
+    work_of_pins: f64,
+    /// Powers at the state of the epoch beside them, W.
+    damping_power: f64,
+    pin_power: f64,
+    epoch: Option<u64>,
+}
+
+/// Where the energy is, and where it went, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// Σ ½ m v²
+    pub kinetic: f64,
+    /// Σ ½ k (l − l_rest)²
+    pub elastic: f64,
+    /// −Σ m g·x
+    pub gravitational: f64,
+    /// ∫ Σ k_d l̇² dt
+    pub lost_to_damping: f64,
+    /// Of all bounces; putting a particle back on a plane counts with them.
+    pub lost_in_impacts: f64,
+    /// What was needed to move kinematic particles against their springs.
+    pub work_of_pins: f64,
+    /// Kinetic, elastic and gravitational energy when the ledger was opened.
+    pub opened_with: f64,
+}
+
+impl Balance {
+    /// What the integrator has added (positive) or lost (negative): 0 for the exact solution.
+    #[must_use]
+    pub fn remainder(&self) -> f64 {
+        self.kinetic + self.elastic + self.gravitational + self.lost_to_damping + self.lost_in_impacts
+            - self.work_of_pins
+            - self.opened_with
+    }
+
+    /// The size of the energies that the remainder is what is left of.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        [self.elastic, self.gravitational, self.lost_to_damping, self.lost_in_impacts, self.work_of_pins]
+            .iter()
+            .fold(self.kinetic, |largest, energy| largest.max(energy.abs()))
+            .max(self.opened_with.abs())
+    }
+}
+
+impl Ledger {
+    /// Opens it on the current state.
+    #[must_use]
+    pub fn open<R: Real>(view: &View<'_, R>) -> Self {
+        let opened_with = kinetic(&view.system, &view.current)
+            + elastic(&view.system, &view.current)
+            + gravitational(&view.system, &view.current);
+        Self {
+            opened_with,
+            lost_to_damping: 0.0,
+            lost_in_impacts: 0.0,
+            work_of_pins: 0.0,
+            damping_power: 0.0,
+            pin_power: 0.0,
+            epoch: None,
+        }
+    }
+
+    /// The balance at the current state.
+    #[must_use]
+    pub fn balance<R: Real>(&self, view: &View<'_, R>) -> Balance {
+        Balance {
+            kinetic: kinetic(&view.system, &view.current),
+            elastic: elastic(&view.system, &view.current),
+            gravitational: gravitational(&view.system, &view.current),
+            lost_to_damping: self.lost_to_damping,
+            lost_in_impacts: self.lost_in_impacts,
+            work_of_pins: self.work_of_pins,
+            opened_with: self.opened_with,
+        }
+    }
+}
+
+impl<R: Real> Observer<R> for Ledger {
+    fn watches(&self) -> bool {
+        true
+    }
+
+    fn advanced(&mut self, view: &mut View<'_, R>, dt: R) {
+        if self.epoch != Some(*view.epoch) {
+            // Impacts, or somebody outside, have changed the state since its powers were worked out.
+            self.damping_power = damping_power(&view.system, &view.current);
+            self.pin_power = pin_power(&view.system, &view.current);
+        }
+        let half = 0.5 * dt.to_f64();
+        let (damping, pins) = (damping_power(&view.system, &view.next), pin_power(&view.system, &view.next));
+        self.lost_to_damping += half * (self.damping_power + damping);
+        self.work_of_pins += half * (self.pin_power + pins);
+        (self.damping_power, self.pin_power) = (damping, pins);
+        self.epoch = Some(*view.epoch + 1);
+    }
+
+    fn lost_in_impacts(&mut self, energy: f64) {
+        self.lost_in_impacts += energy;
+    }
+}

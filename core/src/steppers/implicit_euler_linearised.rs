@@ -1,0 +1,39 @@
+//! Implicit Euler, linearised once a step.
+
+use super::Stepper;
+use crate::Real;
+use crate::solve::{Tolerance, Workspace, one_linearisation};
+use crate::types::{Full, StepReport};
+use crate::world::{Plan, Storage, View};
+
+/// One linear solve a step: (M + dt·C + dt²·K)(v' − v) = dt (f(x, v) − dt·K v); x' = x + dt·v'. First order.
+///
+/// This is the step of Baraff and Witkin, *Large steps in cloth simulation* (1998), with their positive definite
+/// matrix. It is one linearisation of [`super::ImplicitEuler`]'s equation, not its solution: cheaper, damped further,
+/// and off by what the forces bend within a step.
+pub struct ImplicitEulerLinearised<R: Real, M: Storage> {
+    workspace: Workspace<R, M>,
+    tolerance: Tolerance,
+}
+
+impl<R: Real, M: Storage> ImplicitEulerLinearised<R, M> {
+    /// With the residual at which the linear system counts as solved, relative to its right-hand side; 1e-6, say.
+    #[must_use]
+    pub const fn new(tolerance: f64) -> Self {
+        Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance) }
+    }
+}
+
+impl<R: Real, M: Storage> Stepper<R> for ImplicitEulerLinearised<R, M> {
+    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
+        self.workspace.fit(plan)
+    }
+
+    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
+        one_linearisation(view, dt, self.tolerance, &mut self.workspace.lend())
+    }
+
+    fn curvature(&self) -> R {
+        R::ONE
+    }
+}
