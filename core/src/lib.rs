@@ -6,6 +6,7 @@ mod forces;
 mod ledger;
 mod real;
 mod solve;
+mod stability;
 mod step;
 mod steppers;
 mod sums;
@@ -16,7 +17,11 @@ mod world;
 pub use collisions::{Project, Reflect, Response, TimeOfImpact};
 pub use ledger::{Balance, Ledger};
 pub use real::Real;
+pub use stability::StabilityBound;
 pub use step::Observer;
-pub use steppers::{ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, Stepper, VelocityVerlet};
+pub use steppers::{
+    Auto, Choice, Chosen, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, Stepper,
+    VelocityVerlet,
+};
 pub use types::*;
 pub use world::{Column, Container, Coverage, Fixed, Plan, Storage, View, World};

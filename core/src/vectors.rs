@@ -97,16 +97,6 @@ pub fn advance_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>, s: R,
     }
 }
 
-/// out += s b, over whole columns.
-#[inline]
-pub fn increase_columns<R: Real>(out: ColumnsMut<'_, R>, s: R, b: Columns<'_, R>) {
-    for (out, b) in out.into_iter().zip(b) {
-        for (out, b) in out.iter_mut().zip(b) {
-            *out += s * *b;
-        }
-    }
-}
-
 /// out = a, over whole columns.
 #[inline]
 pub fn copy_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>) {

@@ -103,14 +103,14 @@ impl<'a, R: Real> Path<'a, R> {
             }
             let (speed, impact) = self.impact(flight, tau, plane, a);
             bounces.hits += 1;
-            rest = rest - tau;
+            rest -= tau;
             *flight = impact;
             match self.settling_time(plane, speed) {
                 Some(settling) if settling <= rest && self.is_alone(flight, plane, settling) => {
                     // Infinitely many bounces fit into the rest of the time: it comes to rest at the end of them.
                     bounces.lost += half_square(speed);
                     self.settle(flight, plane, settling);
-                    rest = rest - settling;
+                    rest -= settling;
                 }
                 _ => {
                     let away = plane.restitution * speed;

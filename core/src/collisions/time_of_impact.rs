@@ -138,7 +138,7 @@ fn step<R: Real>(
             observer.lost_in_impacts(answer.lost);
             report.hits += answer.hits;
             view.commit(hit.tau, true);
-            rest = rest - hit.tau;
+            rest -= hit.tau;
         }
         if stopped.hits == 0 {
             observer.advanced(view, rest);

@@ -1,11 +1,13 @@
 //! Steppers, one a file: they differ only where the mathematics does, and each owns what it needs to remember.
 
+mod auto;
 mod explicit_euler;
 mod implicit_euler;
 mod implicit_euler_linearised;
 mod semi_implicit_euler;
 mod velocity_verlet;
 
+pub use auto::{Auto, Choice, Chosen};
 pub use explicit_euler::ExplicitEuler;
 pub use implicit_euler::ImplicitEuler;
 pub use implicit_euler_linearised::ImplicitEulerLinearised;

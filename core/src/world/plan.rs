@@ -34,9 +34,6 @@ pub struct Plan {
 }
 
 impl Plan {
-    pub(crate) const NOTHING: Self =
-        Self { gravity: false, attached: 0, particles: 0, held: 0, springs: 0, damped: Coverage::None, planes: 0 };
-
     /// Particles in free flight: no spring pulls at them.
     #[must_use]
     pub fn free(&self) -> u32 {

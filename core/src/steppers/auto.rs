@@ -1,0 +1,158 @@
+//! The stepper that may be clever.
+
+use core::fmt;
+
+use super::{ImplicitEuler, SemiImplicitEuler, Stepper, VelocityVerlet};
+use crate::Real;
+use crate::collisions::Flights;
+use crate::stability::{StabilityBound, bound};
+use crate::types::{Full, StepReport};
+use crate::world::{Plan, Storage, View};
+
+/// Steps after which the stability bound is worked out anew: it costs a few force evaluations, so about 5 %.
+const STEPS_BETWEEN_BOUNDS: u32 = 64;
+
+/// Steps that come closer to the bound than this are not taken: between two bounds springs stretch and turn.
+const MARGIN: f64 = 0.95;
+
+/// Flies particles without springs exactly, and steps the others by the cheapest stepper that is stable and good
+/// enough: velocity Verlet while its stability bound allows the time step, semi-implicit Euler (which damping limits
+/// less) while its own does, and implicit Euler, which has none, past both.
+///
+/// Exact flight, from plane to plane without stepping in between, needs [`crate::TimeOfImpact`]; the other responses
+/// answer hits at the end of each step, up to which such a particle then flies by x + dt v + ½dt² g.
+pub struct Auto<R: Real, M: Storage> {
+    verlet: VelocityVerlet<R, M>,
+    implicit: ImplicitEuler<R, M>,
+    flights: Flights<R, M>,
+    choice: Option<Choice>,
+    /// Until the next bound.
+    steps_left: u32,
+    /// The changes from outside that the choice was made after, and the time step it was made for.
+    made_for: (u64, f64),
+}
+
+/// What steps the particles that springs pull at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chosen {
+    /// Nothing: there are none.
+    Flight,
+    /// [`VelocityVerlet`]
+    VelocityVerlet,
+    /// [`SemiImplicitEuler`]
+    SemiImplicitEuler,
+    /// [`ImplicitEuler`]
+    ImplicitEuler,
+}
+
+/// What [`Auto`] chose, and why: its `Display` says so in words.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// What was chosen.
+    pub chosen: Chosen,
+    /// The time step that it was chosen for, s.
+    pub time_step: f64,
+    /// The bounds that decided; nothing where no spring pulls at a free particle.
+    pub bound: Option<StabilityBound>,
+}
+
+impl<R: Real, M: Storage> Auto<R, M> {
+    /// With the tolerance of [`ImplicitEuler`], should it be chosen.
+    #[must_use]
+    pub const fn new(tolerance: f64) -> Self {
+        Self {
+            verlet: VelocityVerlet::new(),
+            implicit: ImplicitEuler::new(tolerance),
+            flights: Flights::new(),
+            choice: None,
+            steps_left: 0,
+            made_for: (0, 0.0),
+        }
+    }
+
+    /// What it chose last; nothing before the first step.
+    #[must_use]
+    pub fn choice(&self) -> Option<Choice> {
+        self.choice
+    }
+
+    fn choose(&mut self, view: &View<'_, R>, dt: R) -> Chosen {
+        let made_for = (view.changes, dt.to_f64());
+        match self.choice {
+            Some(choice) if self.steps_left > 0 && self.made_for == made_for => {
+                self.steps_left -= 1;
+                choice.chosen
+            }
+            _ => {
+                self.made_for = made_for;
+                self.steps_left = STEPS_BETWEEN_BOUNDS;
+                let choice = Choice::of(bound(&view.system, &view.current), dt.to_f64());
+                self.choice = Some(choice);
+                choice.chosen
+            }
+        }
+    }
+}
+
+impl Choice {
+    fn of(bound: Option<StabilityBound>, time_step: f64) -> Self {
+        let chosen = match bound {
+            None => Chosen::Flight,
+            Some(bound) if time_step <= MARGIN * bound.velocity_verlet => Chosen::VelocityVerlet,
+            Some(bound) if time_step <= MARGIN * bound.semi_implicit_euler => Chosen::SemiImplicitEuler,
+            Some(_) => Chosen::ImplicitEuler,
+        };
+        Self { chosen, time_step, bound }
+    }
+}
+
+impl<R: Real, M: Storage> Stepper<R> for Auto<R, M> {
+    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
+        self.verlet.fit(plan)?;
+        self.implicit.fit(plan)?;
+        self.flights.fit(plan)
+    }
+
+    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
+        match self.choose(view, dt) {
+            // Without springs that pull, Verlet's step is the exact x + dt v + ½dt² g.
+            Chosen::Flight | Chosen::VelocityVerlet => self.verlet.advance(view, dt),
+            Chosen::SemiImplicitEuler => SemiImplicitEuler.advance(view, dt),
+            Chosen::ImplicitEuler => self.implicit.advance(view, dt),
+        }
+    }
+
+    fn curvature(&self) -> R {
+        R::from_f64(0.5)
+    }
+
+    fn fly(&mut self, view: &mut View<'_, R>, from: f64, to: f64, report: &mut StepReport) -> Option<f64> {
+        Some(self.flights.fly(view, from, to, report))
+    }
+}
+
+impl fmt::Display for Choice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let dt = self.time_step;
+        let Some(bound) = self.bound else {
+            return write!(f, "exact flight: no spring pulls at any free particle");
+        };
+        let (verlet, semi_implicit) = (bound.velocity_verlet, bound.semi_implicit_euler);
+        match self.chosen {
+            Chosen::Flight => write!(f, "exact flight"),
+            Chosen::VelocityVerlet => {
+                write!(f, "velocity-verlet: second order, and stable at {dt:.3e} s, below its bound of {verlet:.3e} s")
+            }
+            Chosen::SemiImplicitEuler => write!(
+                f,
+                "semi-implicit-euler: stable at {dt:.3e} s, below its bound of {semi_implicit:.3e} s; \
+                 velocity-verlet's is {verlet:.3e} s"
+            ),
+            Chosen::ImplicitEuler => write!(
+                f,
+                "implicit-euler: {dt:.3e} s is past the bounds of velocity-verlet ({verlet:.3e} s) and \
+                 semi-implicit-euler ({semi_implicit:.3e} s)"
+            ),
+        }
+    }
+}
