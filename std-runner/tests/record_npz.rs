@@ -121,11 +121,14 @@ fn a_recording_that_ends_early_has_the_frames_it_has() {
     assert_eq!(check::<f32>(File::open(&path).unwrap(), 4), [11; 3]);
 }
 
+/// Where something was written, and what.
+type Written = (u64, Vec<u8>);
+
 /// A file that remembers each write.
 #[derive(Clone, Default)]
 struct Remembering {
     at: u64,
-    writes: Rc<RefCell<Vec<(u64, Vec<u8>)>>>,
+    writes: Rc<RefCell<Vec<Written>>>,
 }
 
 impl Write for Remembering {

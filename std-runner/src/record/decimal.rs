@@ -4,8 +4,11 @@ use std::io::Write;
 
 /// No finite `f64` takes more digits than this between its first and its last that isn't 0, with room to spare.
 const MOST_DIGITS: usize = 32;
+/// As in `e-324`.
+const LONGEST_EXPONENT: usize = 5;
 
-/// Appends a number, given as text with as few significant digits as it can have, in its shortest form.
+/// Appends a finite number in its shortest form. It is given as text of as few significant digits as it can have, with a
+/// point or an exponent.
 ///
 /// The forms are plain (`0.25`, `1200`) and whole digits with an exponent (`25e-7`, `12e9`); where they are equally
 /// short, plain. A sign in front of 0 is kept.
@@ -29,10 +32,8 @@ pub(super) fn append_shortest(number: &[u8], text: &mut Vec<u8>) {
 /// Whether a number is in plain form, with a fraction that isn't 0 and at most one 0 behind the point:
 /// no exponent form of such a number is shorter. Nearly all coordinates are of this kind.
 fn is_short_already(unsigned: &[u8]) -> bool {
-    !unsigned.starts_with(b"0.00")
-        && !unsigned.ends_with(b".0")
-        && !unsigned.contains(&b'e')
-        && unsigned.contains(&b'.')
+    let end = &unsigned[unsigned.len().saturating_sub(LONGEST_EXPONENT)..];
+    !unsigned.starts_with(b"0.00") && !unsigned.ends_with(b".0") && !end.contains(&b'e')
 }
 
 /// Digits without zeros at either end, how many they are, and the power of ten that they count.

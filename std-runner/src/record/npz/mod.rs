@@ -12,7 +12,8 @@
 //!    arrays differ by the one frame, and `time` is never the longest.
 //!
 //! Each of the writes in 2 and 3 lies within one page of memory, so a process that is killed has made it or not. A
-//! machine that loses power may lose what its file system had not yet put on the disk, here as in any file.
+//! machine that loses power may lose what its file system had not yet put on the disk, here as in any file. A program
+//! that reads while frames are written may see one part from before a frame and one from after it, and must try again.
 
 mod array;
 mod little_endian;
@@ -29,11 +30,11 @@ use array::{Array, Progress};
 
 /// The directory takes less than this in its widest form, and begins at a multiple of it: it lies in one sector.
 const DIRECTORY_ALIGNMENT: u64 = 512;
-/// No file, and no entry of a narrow archive, is as long as this.
+/// A narrow archive's directory begins before this, and so everything else in it does.
 const NARROW_END: u64 = u32::MAX as u64;
 
 /// Records to a file that `numpy.load` reads, positions (m) and velocities (m/s) in the run's own precision, times (s)
-/// as `f64`. The file can be read at any time, up to its last whole frame, also after the run has been killed.
+/// as `f64`. Whenever the run is killed, the file is a valid archive, up to its last whole frame.
 ///
 /// While it is being made, and after a run that ended early, the file has the length of the whole recording, but takes
 /// only the room of the frames it has, on a file system that knows holes.
