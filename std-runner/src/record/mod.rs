@@ -2,6 +2,15 @@
 
 use hooke::Real;
 
+mod csv;
+mod decimal;
+mod npz;
+mod sample;
+
+pub use csv::CsvRecorder;
+pub use npz::NpzRecorder;
+pub use sample::{Element, Sample};
+
 /// One moment of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a, R> {
