@@ -66,23 +66,13 @@ fn doubles_read_back_to_the_same_bits() {
     // Most random bit patterns are huge or tiny; these are of the size of coordinates.
     let near_one = bit_patterns().map(|bits| (bits as i64) as f64 / 2_f64.powi(62));
     let rounded = bit_patterns().map(|bits| ((bits % 20_000_001) as f64 - 1e7) / 1e5);
-    let all = hard
-        .into_iter()
-        .chain(random)
-        .chain(near_one)
-        .chain(rounded);
+    let all = hard.into_iter().chain(random).chain(near_one).chain(rounded);
     for number in all.filter(|number| number.is_finite()) {
         let text = text(number);
         let back: f64 = text.parse().unwrap();
         assert_eq!(back.to_bits(), number.to_bits(), "{number:e} became {text}");
-        assert!(
-            text.len() <= format!("{number}").len(),
-            "{number} became {text}"
-        );
-        assert!(
-            text.len() <= format!("{number:e}").len(),
-            "{number:e} became {text}"
-        );
+        assert!(text.len() <= format!("{number}").len(), "{number} became {text}");
+        assert!(text.len() <= format!("{number:e}").len(), "{number:e} became {text}");
     }
 }
 
@@ -107,14 +97,8 @@ fn singles_read_back_to_the_same_bits() {
         let text = text(number);
         let back: f32 = text.parse().unwrap();
         assert_eq!(back.to_bits(), number.to_bits(), "{number:e} became {text}");
-        assert!(
-            text.len() <= format!("{number}").len(),
-            "{number} became {text}"
-        );
-        assert!(
-            text.len() <= format!("{number:e}").len(),
-            "{number:e} became {text}"
-        );
+        assert!(text.len() <= format!("{number}").len(), "{number} became {text}");
+        assert!(text.len() <= format!("{number:e}").len(), "{number:e} became {text}");
     }
 }
 
@@ -179,12 +163,7 @@ fn rows_are_frames_then_particles() {
 fn a_recording_of_nothing_has_its_header() {
     let written = Shared::default();
     let mut recorder = CsvRecorder::new(written.clone(), "frames.csv".into());
-    let empty = Frame::<f64> {
-        number: 0,
-        time: 0.0,
-        position: &[],
-        velocity: &[],
-    };
+    let empty = Frame::<f64> { number: 0, time: 0.0, position: &[], velocity: &[] };
     recorder.record(&empty).unwrap();
     Recorder::<f64>::finish(Box::new(recorder)).unwrap();
     assert_eq!(written.text(), "frame,time,particle,x,y,z,vx,vy,vz\n");
@@ -197,12 +176,7 @@ fn a_full_disk_is_told_with_the_name_of_the_file() {
         return;
     };
     let mut recorder = CsvRecorder::new(full, "/dev/full".into());
-    let frame = Frame {
-        number: 0,
-        time: 0.0,
-        position: &[[1.0_f64; 3]],
-        velocity: &[[1.0; 3]],
-    };
+    let frame = Frame { number: 0, time: 0.0, position: &[[1.0_f64; 3]], velocity: &[[1.0; 3]] };
     let error = recorder.record(&frame).unwrap_err();
     assert_eq!(error.source.kind(), io::ErrorKind::StorageFull);
     assert!(error.to_string().starts_with("cannot write /dev/full: "));

@@ -46,12 +46,7 @@ fn a_full_disk_is_told_and_the_frames_before_it_are_readable() {
     let mut recorded = 0;
     let error = loop {
         let values = vec![[recorded as f32; 3]; particles];
-        let frame = Frame {
-            number: recorded,
-            time: recorded as f64,
-            position: &values,
-            velocity: &values,
-        };
+        let frame = Frame { number: recorded, time: recorded as f64, position: &values, velocity: &values };
         match recorder.record(&frame) {
             Ok(()) => recorded += 1,
             Err(error) => break error,

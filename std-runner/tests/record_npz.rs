@@ -33,10 +33,7 @@ fn record<R: Sample>(recorder: &mut impl Recorder<R>, number: u64, particles: us
 }
 
 /// Reads an array to its end and on to the end of its entry, where the checksum is compared.
-fn array<T: npyz::Deserialize>(
-    archive: &mut NpzArchive<impl Read + Seek>,
-    name: &str,
-) -> (Vec<u64>, Vec<T>) {
+fn array<T: npyz::Deserialize>(archive: &mut NpzArchive<impl Read + Seek>, name: &str) -> (Vec<u64>, Vec<T>) {
     let array = archive.by_name(name).unwrap().unwrap();
     let shape = array.shape().to_vec();
     let values = array.into_vec().unwrap();
@@ -58,9 +55,7 @@ fn check<R: Sample + npyz::Deserialize>(file: impl Read + Seek, particles: usize
     let counts = [("position", 0.0), ("velocity", -0.5)].map(|(name, offset)| {
         let (shape, values) = array::<R>(&mut archive, name);
         assert_eq!(shape[1..], [particles as u64, 3]);
-        let expected: Vec<[R; 3]> = (0..shape[0])
-            .flat_map(|frame| numbers(frame, particles, offset))
-            .collect();
+        let expected: Vec<[R; 3]> = (0..shape[0]).flat_map(|frame| numbers(frame, particles, offset)).collect();
         assert_eq!(values, expected.as_flattened());
         shape[0]
     });
@@ -77,16 +72,10 @@ fn round_trip<R: Sample + npyz::Deserialize>(particles: usize, frames: u64) {
         record(&mut recorder, number, particles);
         // What a killed process leaves is what is there now.
         fs::copy(&path, &copy).unwrap();
-        assert_eq!(
-            check::<R>(File::open(&copy).unwrap(), particles),
-            [number + 1; 3]
-        );
+        assert_eq!(check::<R>(File::open(&copy).unwrap(), particles), [number + 1; 3]);
     }
     Recorder::<R>::finish(Box::new(recorder)).unwrap();
-    assert_eq!(
-        check::<R>(File::open(&path).unwrap(), particles),
-        [frames; 3]
-    );
+    assert_eq!(check::<R>(File::open(&path).unwrap(), particles), [frames; 3]);
 }
 
 #[test]
@@ -159,9 +148,7 @@ fn a_recording_is_readable_after_every_write() {
     let frames = 12;
     let file = Remembering::default();
     let writes = Rc::clone(&file.writes);
-    let mut recorder =
-        NpzRecorder::<f32, _>::begin(file, "frames.npz".into(), particles, &SPRINGS, frames)
-            .unwrap();
+    let mut recorder = NpzRecorder::<f32, _>::begin(file, "frames.npz".into(), particles, &SPRINGS, frames).unwrap();
     let mut finished_after = vec![writes.borrow().len()];
     for number in 0..frames {
         record(&mut recorder, number, particles);
@@ -175,8 +162,7 @@ fn a_recording_is_readable_after_every_write() {
             continue;
         }
         let finished = finished_after.partition_point(|&count| count <= index + 1) as u64 - 1;
-        let [time, position, velocity] =
-            check::<f32>(Cursor::new(image.get_ref().as_slice()), particles);
+        let [time, position, velocity] = check::<f32>(Cursor::new(image.get_ref().as_slice()), particles);
         let message = format!("{finished} frames, {index} writes: {time} {position} {velocity}");
         assert!(finished <= time && time <= finished + 1, "{message}");
         assert!(time <= position && position <= finished + 1, "{message}");
@@ -190,17 +176,14 @@ fn a_recording_is_readable_after_every_write() {
 fn what_is_replaced_is_replaced_within_a_page() {
     let file = Remembering::default();
     let writes = Rc::clone(&file.writes);
-    let mut recorder =
-        NpzRecorder::<f64, _>::begin(file, "frames.npz".into(), 700, &SPRINGS, 1 << 40).unwrap();
+    let mut recorder = NpzRecorder::<f64, _>::begin(file, "frames.npz".into(), 700, &SPRINGS, 1 << 40).unwrap();
     let begun = writes.borrow().len();
     for number in 0..3 {
         record(&mut recorder, number, 700);
     }
     let writes = writes.borrow();
-    let replaced: Vec<_> = writes[begun..]
-        .iter()
-        .filter(|(at, _)| writes[..begun].iter().any(|(before, _)| at == before))
-        .collect();
+    let replaced: Vec<_> =
+        writes[begun..].iter().filter(|(at, _)| writes[..begun].iter().any(|(before, _)| at == before)).collect();
     assert_eq!(replaced.len(), 3 * 4);
     for (at, bytes) in replaced {
         assert_eq!(at / 4096, (at + bytes.len() as u64 - 1) / 4096);
@@ -226,12 +209,7 @@ fn one_frame_too_many_is_refused() {
     let path = folder.path().join("frames.npz");
     let mut recorder = NpzRecorder::<f32>::create(&path, 1, &SPRINGS, 1).unwrap();
     record(&mut recorder, 0, 1);
-    let frame = Frame {
-        number: 1,
-        time: 1.0,
-        position: &[[0.0; 3]],
-        velocity: &[[0.0; 3]],
-    };
+    let frame = Frame { number: 1, time: 1.0, position: &[[0.0; 3]], velocity: &[[0.0; 3]] };
     let error = recorder.record(&frame).unwrap_err();
     assert_eq!(error.source.kind(), ErrorKind::InvalidInput);
     assert!(error.to_string().contains("room for 1 frames"), "{error}");
@@ -243,12 +221,7 @@ fn a_frame_of_other_particles_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("frames.npz");
     let mut recorder = NpzRecorder::<f32>::create(&path, 2, &SPRINGS, 1).unwrap();
-    let frame = Frame {
-        number: 0,
-        time: 0.0,
-        position: &[[0.0; 3]],
-        velocity: &[[0.0; 3]],
-    };
+    let frame = Frame { number: 0, time: 0.0, position: &[[0.0; 3]], velocity: &[[0.0; 3]] };
     let error = recorder.record(&frame).unwrap_err();
     assert_eq!(error.source.kind(), ErrorKind::InvalidInput);
     record(&mut recorder, 0, 2);
@@ -259,9 +232,7 @@ fn what_no_file_can_hold_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     for frames in [1 << 60, u64::MAX] {
         let path = folder.path().join("frames.npz");
-        let error = NpzRecorder::<f32>::create(&path, 2, &SPRINGS, frames)
-            .err()
-            .unwrap();
+        let error = NpzRecorder::<f32>::create(&path, 2, &SPRINGS, frames).err().unwrap();
         assert_eq!(error.source.kind(), ErrorKind::FileTooLarge);
         assert!(error.to_string().contains("frames.npz"), "{error}");
     }
@@ -269,9 +240,7 @@ fn what_no_file_can_hold_is_refused() {
 
 #[test]
 fn a_place_that_is_not_there_is_told() {
-    let error = NpzRecorder::<f32>::create(Path::new("/no/such/frames.npz"), 1, &SPRINGS, 1)
-        .err()
-        .unwrap();
+    let error = NpzRecorder::<f32>::create(Path::new("/no/such/frames.npz"), 1, &SPRINGS, 1).err().unwrap();
     assert_eq!(error.source.kind(), ErrorKind::NotFound);
     assert!(error.to_string().contains("/no/such/frames.npz"));
 }
@@ -300,12 +269,7 @@ fn an_array_longer_than_4_gib_comes_back() {
     let mut values = vec![[1.5, -2.5, 0.0]; particles];
     for number in 0..10 {
         values[0] = [number as f64; 3];
-        let frame = Frame {
-            number,
-            time: number as f64,
-            position: &values,
-            velocity: &values,
-        };
+        let frame = Frame { number, time: number as f64, position: &values, velocity: &values };
         recorder.record(&frame).unwrap();
     }
     let mut archive = NpzArchive::open(&path).unwrap();
@@ -315,12 +279,7 @@ fn an_array_longer_than_4_gib_comes_back() {
         let mut rows = array.data::<f64>().unwrap().map(Result::unwrap);
         for number in 0..10 {
             values[0] = [f64::from(number); 3];
-            assert!(
-                values
-                    .as_flattened()
-                    .iter()
-                    .all(|&value| rows.next() == Some(value))
-            );
+            assert!(values.as_flattened().iter().all(|&value| rows.next() == Some(value)));
         }
         assert_eq!(rows.next(), None);
     }

@@ -21,23 +21,13 @@ pub struct CsvRecorder<W> {
 impl<W: Write> CsvRecorder<W> {
     /// Records to `writer`; `path` is what error messages call it.
     pub fn new(writer: W, path: String) -> Self {
-        Self {
-            writer,
-            path,
-            text: HEADER.to_vec(),
-        }
+        Self { writer, path, text: HEADER.to_vec() }
     }
 
     fn send(&mut self) -> Result<(), RecordError> {
-        let sent = self
-            .writer
-            .write_all(&self.text)
-            .and_then(|()| self.writer.flush());
+        let sent = self.writer.write_all(&self.text).and_then(|()| self.writer.flush());
         self.text.clear();
-        sent.map_err(|source| RecordError {
-            path: self.path.clone(),
-            source,
-        })
+        sent.map_err(|source| RecordError { path: self.path.clone(), source })
     }
 
     fn append<R: Sample>(&mut self, frame: &Frame<'_, R>) -> io::Result<()> {
@@ -48,9 +38,7 @@ impl<W: Write> CsvRecorder<W> {
         frame.time.append_text(text);
         text.push(b',');
         let beginning = start..text.len();
-        for (particle, (position, velocity)) in
-            frame.position.iter().zip(frame.velocity).enumerate()
-        {
+        for (particle, (position, velocity)) in frame.position.iter().zip(frame.velocity).enumerate() {
             if particle > 0 {
                 text.extend_from_within(beginning.clone());
             }
@@ -70,10 +58,7 @@ impl<W: Write> CsvRecorder<W> {
 
 impl<R: Sample, W: Write> Recorder<R> for CsvRecorder<W> {
     fn record(&mut self, frame: &Frame<'_, R>) -> Result<(), RecordError> {
-        self.append(frame).map_err(|source| RecordError {
-            path: self.path.clone(),
-            source,
-        })?;
+        self.append(frame).map_err(|source| RecordError { path: self.path.clone(), source })?;
         self.send()
     }
 

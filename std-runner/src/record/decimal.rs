@@ -65,15 +65,9 @@ fn take_apart(unsigned: &[u8], digits: &mut [u8; MOST_DIGITS]) -> (usize, i32) {
 
 /// What stands behind an `e`; 0 if nothing does.
 fn read_exponent(text: &[u8]) -> i32 {
-    let magnitude = text
-        .iter()
-        .filter(|byte| byte.is_ascii_digit())
-        .fold(0, |sum, digit| sum * 10 + i32::from(digit - b'0'));
-    if text.starts_with(b"-") {
-        -magnitude
-    } else {
-        magnitude
-    }
+    let magnitude =
+        text.iter().filter(|byte| byte.is_ascii_digit()).fold(0, |sum, digit| sum * 10 + i32::from(digit - b'0'));
+    if text.starts_with(b"-") { -magnitude } else { magnitude }
 }
 
 fn append_parts(digits: &[u8], exponent: i32, text: &mut Vec<u8>) {

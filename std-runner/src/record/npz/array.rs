@@ -38,19 +38,9 @@ impl Array {
         free: &mut u64,
     ) -> Option<Self> {
         let offset = free.checked_next_multiple_of(FRONT)?;
-        let row_size = row_shape
-            .iter()
-            .try_fold(R::SIZE, |size, &length| size.checked_mul(length))?;
-        *free = rows
-            .checked_mul(row_size)?
-            .checked_add(offset)?
-            .checked_add(FRONT)?;
-        Some(Self {
-            name,
-            header: Header::new(R::NPY_TYPE, row_shape),
-            offset,
-            row_size,
-        })
+        let row_size = row_shape.iter().try_fold(R::SIZE, |size, &length| size.checked_mul(length))?;
+        *free = rows.checked_mul(row_size)?.checked_add(offset)?.checked_add(FRONT)?;
+        Some(Self { name, header: Header::new(R::NPY_TYPE, row_shape), offset, row_size })
     }
 
     /// Writes rows behind those of `progress`, where no reader looks yet.
@@ -62,9 +52,7 @@ impl Array {
         file: &mut (impl Write + Seek),
         bytes: &mut Vec<u8>,
     ) -> io::Result<()> {
-        file.seek(SeekFrom::Start(
-            self.offset + FRONT + progress.rows * self.row_size,
-        ))?;
+        file.seek(SeekFrom::Start(self.offset + FRONT + progress.rows * self.row_size))?;
         for some in numbers.chunks(NUMBERS_AT_A_TIME) {
             bytes.clear();
             R::append_bytes(some, bytes);

@@ -79,12 +79,7 @@ impl<R: Sample> NpzRecorder<R> {
     ///
     /// # Errors
     /// When the file can't be made, or no file can be long enough.
-    pub fn create(
-        path: &Path,
-        particles: usize,
-        springs: &[[u32; 2]],
-        frames: u64,
-    ) -> Result<Self, RecordError> {
+    pub fn create(path: &Path, particles: usize, springs: &[[u32; 2]], frames: u64) -> Result<Self, RecordError> {
         let name = path.display().to_string();
         match File::create(path) {
             Ok(file) => Self::begin(file, name, particles, springs, frames),
@@ -106,8 +101,7 @@ impl<R: Sample, W: Write + Seek> NpzRecorder<R, W> {
         springs: &[[u32; 2]],
         frames: u64,
     ) -> Result<Self, RecordError> {
-        let Some(mut recorder) = Self::lay_out(file, &path, particles, springs.len(), frames)
-        else {
+        let Some(mut recorder) = Self::lay_out(file, &path, particles, springs.len(), frames) else {
             let source = io::Error::new(
                 ErrorKind::FileTooLarge,
                 format!("{frames} frames of {particles} particles are more than a file can hold"),
@@ -154,13 +148,7 @@ impl<R: Sample, W: Write + Seek> NpzRecorder<R, W> {
     fn write_beginning(&mut self, springs: &[[u32; 2]]) -> io::Result<()> {
         let (array, progress) = &mut self.springs;
         let (file, bytes) = (&mut self.file, &mut self.bytes);
-        array.write_rows(
-            springs.len() as u64,
-            springs.as_flattened(),
-            progress,
-            file,
-            bytes,
-        )?;
+        array.write_rows(springs.len() as u64, springs.as_flattened(), progress, file, bytes)?;
         array.write_front(progress, self.wide, file, bytes)?;
         let nothing = Written::default();
         self.write_fronts(&nothing)?;
@@ -182,11 +170,7 @@ impl<R: Sample, W: Write + Seek> NpzRecorder<R, W> {
     }
 
     fn write_fronts(&mut self, written: &Written) -> io::Result<()> {
-        let FrameArrays {
-            time,
-            position,
-            velocity,
-        } = &self.frame_arrays;
+        let FrameArrays { time, position, velocity } = &self.frame_arrays;
         let (file, bytes) = (&mut self.file, &mut self.bytes);
         position.write_front(&written.position, self.wide, file, bytes)?;
         velocity.write_front(&written.velocity, self.wide, file, bytes)?;
@@ -197,27 +181,11 @@ impl<R: Sample, W: Write + Seek> NpzRecorder<R, W> {
         self.check(frame)?;
         // A frame that fails leaves `self.written` as it was, and the next one takes its place.
         let mut written = self.written.clone();
-        let FrameArrays {
-            time,
-            position,
-            velocity,
-        } = &self.frame_arrays;
+        let FrameArrays { time, position, velocity } = &self.frame_arrays;
         let (file, bytes) = (&mut self.file, &mut self.bytes);
         time.write_rows(1, &[frame.time], &mut written.time, file, bytes)?;
-        position.write_rows(
-            1,
-            frame.position.as_flattened(),
-            &mut written.position,
-            file,
-            bytes,
-        )?;
-        velocity.write_rows(
-            1,
-            frame.velocity.as_flattened(),
-            &mut written.velocity,
-            file,
-            bytes,
-        )?;
+        position.write_rows(1, frame.position.as_flattened(), &mut written.position, file, bytes)?;
+        velocity.write_rows(1, frame.velocity.as_flattened(), &mut written.velocity, file, bytes)?;
         self.write_directory(&written)?;
         self.write_fronts(&written)?;
         self.written = written;
@@ -227,10 +195,7 @@ impl<R: Sample, W: Write + Seek> NpzRecorder<R, W> {
 
     fn check(&self, frame: &Frame<'_, R>) -> io::Result<()> {
         let message = if self.recorded == self.frames {
-            format!(
-                "the recording is full: it has room for {} frames",
-                self.frames
-            )
+            format!("the recording is full: it has room for {} frames", self.frames)
         } else if frame.position.len() != self.particles || frame.velocity.len() != self.particles {
             format!(
                 "a frame of {} positions and {} velocities in a recording of {} particles",
@@ -247,17 +212,12 @@ impl<R: Sample, W: Write + Seek> NpzRecorder<R, W> {
 
 impl<R: Sample, W: Write + Seek> Recorder<R> for NpzRecorder<R, W> {
     fn record(&mut self, frame: &Frame<'_, R>) -> Result<(), RecordError> {
-        self.write_frame(frame).map_err(|source| RecordError {
-            path: self.path.clone(),
-            source,
-        })
+        self.write_frame(frame).map_err(|source| RecordError { path: self.path.clone(), source })
     }
 
     /// Nothing is left to write: the file is whole after every frame.
     fn finish(mut self: Box<Self>) -> Result<(), RecordError> {
         let path = self.path;
-        self.file
-            .flush()
-            .map_err(|source| RecordError { path, source })
+        self.file.flush().map_err(|source| RecordError { path, source })
     }
 }

@@ -28,11 +28,7 @@ impl Header {
     /// For an array of rows of this shape: no number for plain values, one for vectors, two for lists of vectors.
     pub(super) fn new(element_type: &'static str, row_shape: &[u64]) -> Self {
         let numbers: Vec<String> = row_shape.iter().map(u64::to_string).collect();
-        Self {
-            element_type,
-            row_shape: numbers.join(", "),
-            balance: Balance::new(),
-        }
+        Self { element_type, row_shape: numbers.join(", "), balance: Balance::new() }
     }
 
     /// Appends the header of an array of that many rows.
@@ -49,10 +45,7 @@ impl Header {
         bytes.resize(start + HEADER - END.len(), b' ');
         bytes.extend_from_slice(END);
         let tabs = self.balance.tabs(crc32fast::hash(&bytes[start..]));
-        for (blank, byte) in bytes[start + FIRST_BLANK..][..BLANKS]
-            .iter_mut()
-            .enumerate()
-        {
+        for (blank, byte) in bytes[start + FIRST_BLANK..][..BLANKS].iter_mut().enumerate() {
             if tabs >> blank & 1 == 1 {
                 *byte ^= BLANK_FLIP;
             }

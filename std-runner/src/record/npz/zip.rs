@@ -125,9 +125,5 @@ fn version(wide: bool) -> u16 {
 }
 
 fn narrow(number: u64, wide: bool) -> u32 {
-    if wide {
-        SEE_WIDE
-    } else {
-        u32::try_from(number).unwrap_or(SEE_WIDE)
-    }
+    if wide { SEE_WIDE } else { u32::try_from(number).unwrap_or(SEE_WIDE) }
 }
