@@ -5,7 +5,7 @@ use crate::collisions::{Answer, Response};
 use crate::steppers::Stepper;
 use crate::types::{StepError, StepReport};
 use crate::vectors::at;
-use crate::world::{Container, Storage, View};
+use crate::world::{Clock, Container, Storage, View};
 
 /// Somebody who follows a world through its steps, part by part. `()` looks away, and costs nothing.
 pub trait Observer<R: Real> {
@@ -54,11 +54,42 @@ impl<R: Real> View<'_, R> {
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
+        self.take(stepper, response, dt, self.clock.later(dt.to_f64()), observer)
+    }
+
+    /// Takes one step of `dt` seconds that ends at the time `end` (s), which `dt` is the length up to, but for its
+    /// rounding to this precision: the thousandth step of 1e-3 s ends at 1 s, whatever 1e-3 rounds to.
+    ///
+    /// # Errors
+    /// Like [`View::step`]; `end` must be finite and later than the current time.
+    pub fn step_to(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        response: &mut impl Response<R>,
+        dt: R,
+        end: f64,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
+        if !(end > self.time() && end.is_finite()) {
+            return Err(StepError::TimeStep);
+        }
+        self.take(stepper, response, dt, Clock::at(end), observer)
+    }
+
+    fn take(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        response: &mut impl Response<R>,
+        dt: R,
+        end: Clock,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
         if !(dt > R::ZERO && dt.is_finite()) {
             return Err(StepError::TimeStep);
         }
         stepper.fit(&self.system.plan)?;
         response.fit(&self.system.plan)?;
+        self.end = end;
         response.step(self, stepper, dt, observer)
     }
 }
@@ -81,7 +112,6 @@ impl<R: Real, M: Storage> Container<R, M> {
 /// Makes the next state, in which collisions have been answered, the current one.
 pub(crate) fn finish<R: Real>(
     view: &mut View<'_, R>,
-    dt: R,
     report: &mut StepReport,
     answer: &Answer,
     observer: &mut impl Observer<R>,
@@ -90,7 +120,7 @@ pub(crate) fn finish<R: Real>(
     if answer.hits > 0 {
         observer.lost_in_impacts(answer.lost);
     }
-    view.commit(dt, answer.hits > 0);
+    view.commit(view.end, answer.hits > 0);
 }
 
 /// Refuses a next state that is not finite, naming the first particle by number.

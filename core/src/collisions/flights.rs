@@ -71,37 +71,60 @@ impl<R: Real, M: Storage> Flights<R, M> {
         self.plane.fit(free)
     }
 
-    /// Writes the states at the time `to` to the view's next state, given that its current state, as far as particles
-    /// in free flight go, is that at the time `from`. Returns the kinetic energy lost on the way.
-    pub(crate) fn fly(&mut self, view: &mut View<'_, R>, from: f64, to: f64, report: &mut StepReport) -> f64 {
-        let mut events = Events {
+    /// Writes the states at the end of the step to the view's next state, given that its current state, as far as
+    /// particles in free flight go, is that at the time `from`. Returns the kinetic energy lost on the way.
+    pub(crate) fn fly(&mut self, view: &mut View<'_, R>, from: f64, report: &mut StepReport) -> f64 {
+        let to = view.end.seconds();
+        if self.belongs != (from, view.changes) {
+            // It is not the state that they came to: all flights begin anew.
+            self.events().begin(view, from);
+            (self.lost, self.told) = (0.0, 0.0);
+        }
+        self.belongs = (to, view.changes);
+        let pending = self.write(view, to, report);
+        let lost = self.lost + pending - self.told;
+        self.told = self.lost + pending;
+        lost
+    }
+
+    /// Writes the states at a `time` before the end of the next step to the view's next state; false where they have
+    /// not been flown to the current one. What has been lost by then is told with that step.
+    pub(crate) fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
+        let flown = self.belongs == (view.time(), view.changes);
+        if flown {
+            self.write(view, time, &mut StepReport::default());
+        }
+        flown
+    }
+
+    /// Writes the states at a time, and returns the energy lost since the last events before it.
+    fn write(&mut self, view: &mut View<'_, R>, time: f64, report: &mut StepReport) -> f64 {
+        let mut lost = 0.0;
+        let mut pending = 0.0;
+        let mut events = self.events();
+        for index in 0..view.system.plan.free() {
+            let slot = view.system.plan.attached + index;
+            let (flight, bounces, unfinished) = events.state_at(&view.system, index, slot, time);
+            store(&mut view.next.position, slot, flight.position);
+            store(&mut view.next.velocity, slot, flight.velocity);
+            let mass = at(view.system.mass, slot).to_f64();
+            lost += mass * bounces.lost;
+            pending += mass * unfinished;
+            report.hits += bounces.hits;
+            report.capped += u32::from(bounces.capped);
+        }
+        self.lost += lost;
+        pending
+    }
+
+    fn events(&mut self) -> Events<'_, R> {
+        Events {
             position: self.position.each_mut().map(Column::items_mut),
             velocity: self.velocity.each_mut().map(Column::items_mut),
             since: self.since.items_mut(),
             until: self.until.items_mut(),
             plane: self.plane.items_mut(),
-        };
-        if self.belongs != (from, view.changes) {
-            // It is not the state that they came to: all flights begin anew.
-            events.begin(view, from);
-            (self.lost, self.told) = (0.0, 0.0);
         }
-        self.belongs = (to, view.changes);
-        let mut pending = 0.0;
-        for index in 0..view.system.plan.free() {
-            let slot = view.system.plan.attached + index;
-            let (flight, bounces, unfinished) = events.state_at(&view.system, index, slot, to);
-            store(&mut view.next.position, slot, flight.position);
-            store(&mut view.next.velocity, slot, flight.velocity);
-            let mass = at(view.system.mass, slot).to_f64();
-            self.lost += mass * bounces.lost;
-            pending += mass * unfinished;
-            report.hits += bounces.hits;
-            report.capped += u32::from(bounces.capped);
-        }
-        let lost = self.lost + pending - self.told;
-        self.told = self.lost + pending;
-        lost
     }
 }
 

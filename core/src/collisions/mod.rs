@@ -23,9 +23,6 @@ use crate::world::{Plan, View};
 
 /// A form of collision response: what happens when a step takes particles through planes.
 pub trait Response<R: Real> {
-    /// Whether hits are located inside the step, so that a particle without springs can fly exactly through them.
-    const LOCATES_HITS: bool;
-
     /// Makes room for a world.
     ///
     /// # Errors

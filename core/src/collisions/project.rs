@@ -18,8 +18,6 @@ use crate::world::View;
 pub struct Project;
 
 impl<R: Real> Response<R> for Project {
-    const LOCATES_HITS: bool = false;
-
     fn step(
         &mut self,
         view: &mut View<'_, R>,
@@ -41,7 +39,7 @@ impl<R: Real> Response<R> for Project {
         if answer.hits > 0 {
             answer.lost += before - potential(view);
         }
-        finish(view, dt, &mut report, &answer, observer);
+        finish(view, &mut report, &answer, observer);
         Ok(report)
     }
 }

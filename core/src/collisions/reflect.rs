@@ -16,8 +16,6 @@ use crate::world::{State, System, View};
 pub struct Reflect;
 
 impl<R: Real> Response<R> for Reflect {
-    const LOCATES_HITS: bool = false;
-
     fn step(
         &mut self,
         view: &mut View<'_, R>,
@@ -30,7 +28,7 @@ impl<R: Real> Response<R> for Reflect {
         refuse_non_finite(view)?;
         observer.advanced(view, dt);
         let answer = answer(&view.system, &mut view.next, |_, _, position| position);
-        finish(view, dt, &mut report, &answer, observer);
+        finish(view, &mut report, &answer, observer);
         Ok(report)
     }
 }

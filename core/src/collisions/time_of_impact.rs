@@ -45,8 +45,6 @@ impl<R: Real, M: Storage> Default for TimeOfImpact<R, M> {
 }
 
 impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
-    const LOCATES_HITS: bool = true;
-
     fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
         // Only springs and planes together make a step that can fail half-way.
         let saved = if plan.planes > 0 && plan.springs > 0 { plan.particles as usize } else { 0 };
@@ -113,7 +111,6 @@ fn step<R: Real>(
 ) -> Result<StepReport, StepError> {
     let mut report = StepReport::default();
     let from = view.clock.seconds();
-    let to = view.clock.later(dt.to_f64()).seconds();
     let mut rest = dt;
     let mut stopped = Answer::default();
     if view.system.plan.attached > 0 {
@@ -137,21 +134,21 @@ fn step<R: Real>(
             let answer = bounce(&mut view.attached(), &hit, dt);
             observer.lost_in_impacts(answer.lost);
             report.hits += answer.hits;
-            view.commit(hit.tau, true);
+            view.commit(view.clock.later(hit.tau.to_f64()), true);
             rest -= hit.tau;
         }
         if stopped.hits == 0 {
             observer.advanced(view, rest);
         }
     }
-    let lost = match stepper.fly(view, from, to, &mut report) {
+    let lost = match stepper.fly(view, from, &mut report) {
         Some(lost) => lost,
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
     refuse_non_finite(view)?;
     observer.lost_in_impacts(stopped.lost + lost);
     report.substeps += 1;
-    view.commit(rest, stopped.hits > 0);
+    view.commit(view.end, stopped.hits > 0);
     Ok(report)
 }
 

@@ -126,8 +126,12 @@ impl<R: Real, M: Storage> Stepper<R> for Auto<R, M> {
         R::from_f64(0.5)
     }
 
-    fn fly(&mut self, view: &mut View<'_, R>, from: f64, to: f64, report: &mut StepReport) -> Option<f64> {
-        Some(self.flights.fly(view, from, to, report))
+    fn fly(&mut self, view: &mut View<'_, R>, from: f64, report: &mut StepReport) -> Option<f64> {
+        Some(self.flights.fly(view, from, report))
+    }
+
+    fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
+        self.flights.look_ahead(view, time)
     }
 }
 

@@ -34,9 +34,16 @@ pub trait Stepper<R: Real> {
     /// β in the path x + τ v + β τ² a that it takes a particle along that nothing but gravity pulls at.
     fn curvature(&self) -> R;
 
-    /// Flies the particles that no spring pulls at exactly from the time `from`, that of the current state, to the
-    /// time `to`, and returns the energy lost in impacts, J. Nothing if it does not: they then take the path above.
-    fn fly(&mut self, _view: &mut View<'_, R>, _from: f64, _to: f64, _report: &mut StepReport) -> Option<f64> {
+    /// Flies the particles that no spring pulls at exactly from the time `from`, at which they are in the current state,
+    /// to the end of the step, and returns the energy lost in impacts, J. Nothing if it does not: they then take the
+    /// path above.
+    fn fly(&mut self, _view: &mut View<'_, R>, _from: f64, _report: &mut StepReport) -> Option<f64> {
         None
+    }
+
+    /// Writes the particles that [`Stepper::fly`] flies, as they will be at a time within the next step, to the next
+    /// state. False if there is no such flight.
+    fn look_ahead(&mut self, _view: &mut View<'_, R>, _time: f64) -> bool {
+        false
     }
 }

@@ -12,6 +12,11 @@ impl Clock {
     /// At 0 s.
     pub const START: Self = Self { sum: 0.0, residual: 0.0 };
 
+    /// At a time, s.
+    pub fn at(seconds: f64) -> Self {
+        Self { sum: seconds, residual: 0.0 }
+    }
+
     /// s
     pub fn seconds(self) -> f64 {
         self.sum + self.residual

@@ -161,6 +161,34 @@ impl<R: Real, M: Storage> Container<R, M> {
         Ok(())
     }
 
+    /// Puts a kinematic particle where it should be (m) with the velocity it should have (m/s).
+    ///
+    /// Meant for every step: as long as the velocity stays the same this counts as the same motion, and nothing that
+    /// was worked out for it is worked out anew.
+    ///
+    /// # Errors
+    /// If there is no such particle, or either is not finite.
+    pub fn drive(
+        &mut self,
+        particle: u32,
+        position: impl Into<R::Vec3>,
+        velocity: impl Into<R::Vec3>,
+    ) -> Result<(), SetError> {
+        let slot = self.slot(particle)?;
+        let (position, velocity) = (position.into().into(), velocity.into().into());
+        if !(finite(position) && finite(velocity)) {
+            return Err(SetError::NotFinite);
+        }
+        let (mut positions, mut velocities) = self.current_mut();
+        let before = fetch(crate::vectors::read(&velocities), slot);
+        store(&mut positions, slot, position);
+        store(&mut velocities, slot, velocity);
+        if velocity != before {
+            self.disturb();
+        }
+        Ok(())
+    }
+
     /// Pins a particle, lets it go, or makes it kinematic. A particle that is pinned loses its velocity.
     ///
     /// # Errors
@@ -231,7 +259,8 @@ impl<R: Real, M: Storage> Container<R, M> {
         };
         let force_density = springs.force_density.items_mut();
         let slot_of = slot_of.items();
-        View { system, current, next, force_density, front, epoch, changes: *changes, clock, slot_of }
+        let end = *clock;
+        View { system, current, next, force_density, front, epoch, changes: *changes, clock, end, slot_of }
     }
 
     /// Sorts particles into slots, lists their springs, and finds out what the world needs.

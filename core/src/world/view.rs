@@ -4,6 +4,7 @@ use super::clock::Clock;
 use super::layout::Incidence;
 use super::plan::Plan;
 use crate::Real;
+use crate::steppers::Stepper;
 use crate::types::Plane;
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read};
 
@@ -126,6 +127,8 @@ pub struct View<'a, R: Real> {
     /// How often the state has been changed from outside, by anything but a step.
     pub(crate) changes: u64,
     pub(crate) clock: &'a mut Clock,
+    /// The time at the end of the step that is being taken.
+    pub(crate) end: Clock,
     pub(crate) slot_of: &'a [u32],
 }
 
@@ -175,16 +178,36 @@ impl<R: Real> View<'_, R> {
             epoch: self.epoch,
             changes: self.changes,
             clock: self.clock,
+            end: self.end,
             slot_of: self.slot_of,
         }
     }
 
-    /// The state that a step made becomes the current one, `duration` seconds later. `answered` tells whether
-    /// collisions have changed it since the stepper made it.
-    pub(crate) fn commit(&mut self, duration: R, answered: bool) {
+    /// The particles that no spring pulls at as they will be at a later `time` (s), before the end of the next step,
+    /// if the stepper flies them exactly: number, position (m), velocity (m/s). Otherwise nothing. The current state
+    /// stays as it is.
+    pub fn free_at(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        time: f64,
+    ) -> Option<impl Iterator<Item = (u32, R::Vec3, R::Vec3)>> {
+        if !stepper.look_ahead(self, time) {
+            return None;
+        }
+        let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
+        let slots = self.system.plan.attached..self.system.plan.particles;
+        let system = self.system;
+        Some(slots.map(move |slot| {
+            (at(system.particle_at, slot), fetch(position, slot).into(), fetch(velocity, slot).into())
+        }))
+    }
+
+    /// The state that a step made becomes the current one, at the time `now`. `answered` tells whether collisions have
+    /// changed it since the stepper made it.
+    pub(crate) fn commit(&mut self, now: Clock, answered: bool) {
         core::mem::swap(&mut self.current, &mut self.next);
         *self.front ^= 1;
         *self.epoch += 1 + u64::from(answered);
-        *self.clock = self.clock.later(duration.to_f64());
+        *self.clock = now;
     }
 }
