@@ -41,7 +41,10 @@ pub fn model(toml: &str) -> Model {
 pub fn printed(error: &SceneError) -> String {
     let mut out = String::new();
     let theme = GraphicalTheme::none();
-    GraphicalReportHandler::new_themed(theme).with_width(400).render_report(&mut out, error).unwrap();
+    GraphicalReportHandler::new_themed(theme)
+        .with_width(400)
+        .render_report(&mut out, error)
+        .unwrap();
     out
 }
 
@@ -49,7 +52,10 @@ pub fn printed(error: &SceneError) -> String {
 #[allow(dead_code, reason = "not every test file refuses")]
 pub fn assert_says(error: &SceneError, place: &str, value: &str, remedy: &str) {
     let message = error.to_string();
-    let help = error.help().map(|help| help.to_string()).unwrap_or_default();
+    let help = error
+        .help()
+        .map(|help| help.to_string())
+        .unwrap_or_default();
     let all = printed(error);
     assert!(message.contains(place), "no place {place:?} in\n{all}");
     assert!(message.contains(value), "no value {value:?} in\n{all}");

@@ -126,14 +126,14 @@ impl From<Fault> for Refusal {
                 ("this".to_owned(), format!("write {expected}"))
             }
             FaultKind::UnknownKey { key, known } => {
-                let among = format!("the keys here are {}", known.join(", "));
+                let among = format!("The keys here are {}", known.join(", "));
                 (
                     "unknown key".to_owned(),
                     did_you_mean(words::nearest(key, known), &among),
                 )
             }
             FaultKind::UnknownName { name, known } => {
-                let among = format!("the names are {}", words::quoted(known));
+                let among = format!("The names are {}", words::quoted(known));
                 (
                     "unknown name".to_owned(),
                     did_you_mean(words::nearest(name, known), &among),
@@ -159,7 +159,7 @@ impl From<Fault> for Refusal {
 
 fn did_you_mean(nearest: Option<&str>, among: &str) -> String {
     match nearest {
-        Some(nearest) => format!("did you mean `{nearest}`? {among}"),
+        Some(nearest) => format!("Did you mean `{nearest}`? {among}"),
         None => among.to_owned(),
     }
 }
