@@ -127,7 +127,7 @@ fn wrong_types_say_what_belongs_there() {
         "[particle]\nposition = [0, 0, 0]",
         "`particle`",
         "a table",
-        "write a list",
+        "write `[[particle]]` with two brackets",
     );
     refuses(
         "particle = [[0, 0, 0]]",
@@ -262,7 +262,7 @@ fn broken_toml_and_json_name_the_line() {
     refuses(
         "duration = 1\nduration = 2",
         "scene.toml:2:1",
-        "duplicate key",
+        "`duration` is written twice",
         "",
     );
     refuses("duration = 1e999", "scene.toml:1:12", "1e999", "1.8e308");
@@ -270,7 +270,7 @@ fn broken_toml_and_json_name_the_line() {
         (
             "{\"duration\": 1,\n \"gravity\": [0, 0, }",
             "scene.json:2:20",
-            "expected value",
+            "not JSON: expected value, at `}`",
             "comma",
         ),
         (
@@ -309,6 +309,13 @@ fn broken_toml_and_json_name_the_line() {
         eprintln!("{}", printed(&error));
         assert_says(&error, place, value, remedy);
     }
+    let deep = format!("name = {}{}", "[".repeat(100_000), "]".repeat(100_000));
+    assert_says(
+        &load("scene.toml", &deep).unwrap_err(),
+        "scene.toml:1:",
+        "",
+        "",
+    );
     let deep = format!(
         "{{\"name\": {}{}}}",
         "[".repeat(100_000),

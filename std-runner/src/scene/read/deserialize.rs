@@ -122,6 +122,14 @@ impl fmt::Display for Fault {
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Self {
         let (label, remedy) = match &fault.kind {
+            FaultKind::Mismatch { found, expected }
+                if found == "a table" && expected == "a list" =>
+            {
+                let key = &fault.path;
+                let remedy =
+                    format!("write `[[{key}]]` with two brackets, or `\"{key}\": [{{…}}]` in JSON");
+                ("one table".to_owned(), remedy)
+            }
             FaultKind::Mismatch { expected, .. } => {
                 ("this".to_owned(), format!("write {expected}"))
             }

@@ -12,6 +12,7 @@ use serde_json::value::RawValue;
 
 use super::super::error::Refusal;
 use super::tree::{Entry, Node, Value};
+use super::words;
 
 /// Lists in tables in lists go no deeper in a scene than this, with room to spare.
 const DEEPEST: usize = 32;
@@ -94,9 +95,10 @@ fn syntax(text: &str, error: &serde_json::Error) -> Refusal {
     let end = start + text[start..].chars().next().map_or(0, char::len_utf8);
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
+    let message = message.strip_suffix(&place).unwrap_or(&message);
     Refusal {
         span: Some(start..end),
-        message: message.strip_suffix(&place).unwrap_or(&message).to_owned(),
+        message: words::syntax("JSON", message, text.get(start..end)),
         label: "the text stops being JSON here".to_owned(),
         remedy:
             "write keys and texts in double quotes, a comma between items and none after the last"

@@ -7,17 +7,39 @@ use toml::de::{DeTable, DeValue};
 
 use super::super::error::Refusal;
 use super::tree::{Entry, Node, Value};
+use super::words;
 
 /// Reads a whole document.
 pub(super) fn parse(text: &str) -> Result<Node, Refusal> {
-    let document = DeTable::parse(text).map_err(|error| Refusal {
-        span: error.span(),
-        message: error.message().to_owned(),
-        label: "the text stops being TOML here".to_owned(),
-        remedy: "write `key = value` lines under `[[particle]]`-like headers; numbers, true and false bare, text in double quotes".to_owned(),
-    })?;
+    let document = DeTable::parse(text).map_err(|error| syntax(text, &error))?;
     let span = document.span();
     table(span, document.get_ref())
+}
+
+/// Where and why a text is not TOML.
+fn syntax(text: &str, error: &toml::de::Error) -> Refusal {
+    let span = error.span();
+    let written = span.clone().and_then(|span| text.get(span));
+    if error.message() == "duplicate key" {
+        let key = written.unwrap_or_default();
+        return Refusal {
+            span,
+            message: format!("the key `{key}` is written twice"),
+            label: "again here".to_owned(),
+            remedy: format!(
+                "keep one `{key}`; several things of a kind each go under a `[[…]]` header"
+            ),
+        };
+    }
+    Refusal {
+        span,
+        message: words::syntax("TOML", error.message(), written),
+        label: "the text stops being TOML here".to_owned(),
+        remedy:
+            "write `key = value` lines, and `[[particle]]` and the like above those of each thing; \
+                 texts go in double quotes, commas between the items of a list"
+                .to_owned(),
+    }
 }
 
 fn table(span: Range<usize>, table: &DeTable<'_>) -> Result<Node, Refusal> {

@@ -34,6 +34,16 @@ pub(super) fn expected(expected: &dyn Expected) -> String {
     }
 }
 
+/// Why a text is not of its format, and what stands where it stops being so.
+pub(super) fn syntax(format: &str, why: &str, written: Option<&str>) -> String {
+    match written.and_then(|written| written.lines().next()) {
+        Some(written) if !written.trim().is_empty() => {
+            format!("this is not {format}: {why}, at `{written}`")
+        }
+        _ => format!("this is not {format}: {why}"),
+    }
+}
+
 /// `"a", "b", "c"`
 pub(super) fn quoted(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
