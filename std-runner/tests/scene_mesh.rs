@@ -5,7 +5,7 @@ mod scene_support;
 
 use hooke_runner::model::{Hold, Model};
 use hooke_runner::scene::{Scene, SceneError};
-use scene_support::{Folder, assert_says, printed};
+use scene_support::{Folder, assert_says};
 
 const SQUARE: &str = "# two triangles\r\nv 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nvt 0 0\r\nvn 0 0 1\r\ng all\r\nf 1/1/1 2/1/1 3/1/1\r\nf 1//1 3//1 4//1\r\n";
 
@@ -26,7 +26,6 @@ fn refuses(obj: &str, place: &str, value: &str, remedy: &str) {
     let error = load(obj, "")
         .err()
         .unwrap_or_else(|| panic!("loaded:\n{obj}"));
-    eprintln!("{}", printed(&error));
     assert_says(&error, place, value, remedy);
 }
 

@@ -1,4 +1,5 @@
 //! Scenes in temporary folders, and everything that an error tells a person.
+#![allow(dead_code, reason = "no test file uses all of it")]
 
 use std::path::PathBuf;
 
@@ -29,7 +30,6 @@ pub fn load(name: &str, content: &str) -> Result<Scene, SceneError> {
 }
 
 /// The model of a sound TOML scene.
-#[allow(dead_code, reason = "not every test file makes models")]
 pub fn model(toml: &str) -> Model {
     match load("scene.toml", toml) {
         Ok(scene) => scene.model().unwrap(),
@@ -49,7 +49,7 @@ pub fn printed(error: &SceneError) -> String {
 }
 
 /// What an error must say.
-#[allow(dead_code, reason = "not every test file refuses")]
+#[track_caller]
 pub fn assert_says(error: &SceneError, place: &str, value: &str, remedy: &str) {
     let message = error.to_string();
     let help = error
@@ -60,4 +60,27 @@ pub fn assert_says(error: &SceneError, place: &str, value: &str, remedy: &str) {
     assert!(message.contains(place), "no place {place:?} in\n{all}");
     assert!(message.contains(value), "no value {value:?} in\n{all}");
     assert!(help.contains(remedy), "no remedy {remedy:?} in\n{all}");
+}
+
+/// A sound scene to break one thing in; what is added stands on line 6 and later.
+pub const SOUND: &str = r#"
+[[particle]]
+position = [0, 0, 1]
+[[particle]]
+position = [1, 0, 1]
+"#;
+
+/// The scene is refused, and the error says these.
+#[track_caller]
+pub fn refuses(toml: &str, place: &str, value: &str, remedy: &str) {
+    let error = load("scene.toml", toml)
+        .err()
+        .unwrap_or_else(|| panic!("loaded:\n{toml}"));
+    assert_says(&error, place, value, remedy);
+}
+
+/// The sound scene is refused with these lines added, and the error says these.
+#[track_caller]
+pub fn refuses_after(lines: &str, place: &str, value: &str, remedy: &str) {
+    refuses(&format!("{SOUND}{lines}"), place, value, remedy);
 }
