@@ -1,0 +1,106 @@
+//! A scene as it is written: every key, its meaning and its default.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::model::CameraChoice;
+
+use super::generators::{Block, Cloth, Cloud, MeshEntry, Rope};
+use super::names::{CollisionForm, Precision, StepperName};
+use super::particle::Particle;
+use super::plane::Plane;
+use super::settings::{DURATION, FRAME_RATE, Settings, TOLERANCE};
+use super::spring::Spring;
+use super::time_step::TimeStep;
+
+/// A scene for Hooke: particles joined by springs. Units are SI; every part is optional.
+///
+/// Particles are numbered from 0: those of `particle`, then those of ropes, cloths, blocks, clouds and meshes, each in
+/// file order.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+#[schemars(title = "Hooke scene")]
+pub(super) struct SceneFile {
+    /// What the scene is called. Default: the file's name without its ending.
+    pub(super) name: Option<String>,
+    /// The acceleration of gravity, m/s².
+    pub(super) gravity: [f64; 3],
+    /// How long to simulate, s, more than 0.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub(super) duration: f64,
+    /// The length of a step, s, more than 0, or "auto".
+    pub(super) time_step: TimeStep,
+    /// Frames per second of simulated time, more than 0.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub(super) frame_rate: f64,
+    /// How the state is stepped.
+    pub(super) stepper: StepperName,
+    /// The numbers that the run computes with.
+    pub(super) precision: Precision,
+    /// Implicit steppers: the relative residual at which a step counts as solved, more than 0.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub(super) tolerance: f64,
+    /// What happens to a particle that meets a plane.
+    pub(super) collision: CollisionForm,
+    /// Where the pictures are taken from. What is left out is chosen to show everything.
+    pub(super) camera: CameraChoice,
+    /// Single particles.
+    pub(super) particle: Vec<Particle>,
+    /// Single springs.
+    pub(super) spring: Vec<Spring>,
+    /// Planes that particles bounce on.
+    pub(super) plane: Vec<Plane>,
+    /// Straight rows of particles, neighbours joined.
+    pub(super) rope: Vec<Rope>,
+    /// Flat grids of particles.
+    pub(super) cloth: Vec<Cloth>,
+    /// Solid grids of particles.
+    pub(super) block: Vec<Block>,
+    /// Free particles, evenly spread.
+    pub(super) cloud: Vec<Cloud>,
+    /// Particles and springs from the vertices and edges of a mesh file.
+    pub(super) mesh: Vec<MeshEntry>,
+}
+
+impl Default for SceneFile {
+    fn default() -> Self {
+        Self {
+            name: None,
+            gravity: [0.0; 3],
+            duration: DURATION,
+            time_step: TimeStep::default(),
+            frame_rate: FRAME_RATE,
+            stepper: StepperName::default(),
+            precision: Precision::default(),
+            tolerance: TOLERANCE,
+            collision: CollisionForm::default(),
+            camera: CameraChoice::default(),
+            particle: Vec::new(),
+            spring: Vec::new(),
+            plane: Vec::new(),
+            rope: Vec::new(),
+            cloth: Vec::new(),
+            block: Vec::new(),
+            cloud: Vec::new(),
+            mesh: Vec::new(),
+        }
+    }
+}
+
+impl SceneFile {
+    /// The settings, with `stem` for a name that is left out.
+    pub(super) fn settings(&self, stem: &str) -> Settings {
+        Settings {
+            name: self.name.clone().unwrap_or_else(|| stem.to_owned()),
+            gravity: self.gravity,
+            duration: self.duration,
+            time_step: self.time_step,
+            frame_rate: self.frame_rate,
+            stepper: self.stepper,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            collision: self.collision,
+            camera: self.camera.clone(),
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! Scene files: read from TOML or JSON, checked, and made into the flat [`Model`].
+
+mod checks;
+mod error;
+mod file;
+mod generators;
+mod names;
+mod obj;
+mod overrides;
+mod particle;
+mod plane;
+mod read;
+mod schema;
+mod selector;
+mod settings;
+mod size;
+mod spring;
+mod starters;
+mod time_step;
+
+use std::path::Path;
+
+use crate::model::Model;
+
+use error::Problem;
+use file::SceneFile;
+use generators::{Generator, Mesh};
+use read::Source;
+use size::Size;
+use std::ops::Add;
+
+pub use error::SceneError;
+pub use names::{CollisionForm, Precision, StepperName};
+pub use overrides::Overrides;
+pub use schema::schema;
+pub use settings::Settings;
+pub use starters::Starter;
+pub use time_step::TimeStep;
+
+/// A scene that was read and found sound.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    settings: Settings,
+    file: SceneFile,
+    meshes: Vec<Mesh>,
+    source: Source,
+}
+
+impl Scene {
+    /// Reads and checks the file at `path`, and the mesh files it names. The ending says the format: `.toml` or `.json`.
+    ///
+    /// # Errors
+    /// If anything in it cannot be run; the error names the place, the value and the remedy.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let source = Source::load(path)?;
+        let mut file: SceneFile = source.parse()?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let settings = file.settings(&stem);
+        let meshes = std::mem::take(&mut file.mesh)
+            .into_iter()
+            .enumerate()
+            .map(|(index, entry)| entry.load(index, &source))
+            .collect::<Result<_, _>>()?;
+        let scene = Self {
+            settings,
+            file,
+            meshes,
+            source,
+        };
+        scene
+            .check()
+            .map_err(|problem| scene.source.problem(problem))?;
+        Ok(scene)
+    }
+
+    /// How the scene is run.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Puts the settings that a command line gives in place of the scene's own.
+    ///
+    /// # Errors
+    /// If one of them cannot be run; the error names its flag, and nothing is changed.
+    pub fn apply(&mut self, overrides: &Overrides) -> Result<(), SceneError> {
+        self.settings = self.settings.with(overrides)?;
+        Ok(())
+    }
+
+    /// All its particles, springs and planes.
+    ///
+    /// # Errors
+    /// If they are more than 2³² − 1, or need more memory than is available.
+    pub fn model(&self) -> Result<Model, SceneError> {
+        self.model_within(size::available_memory())
+    }
+
+    /// As [`Scene::model`], for a run that may take `available` bytes.
+    ///
+    /// # Errors
+    /// If there are more than 2³² − 1 particles or springs, or they need more than `available` bytes.
+    pub fn model_within(&self, available: u64) -> Result<Model, SceneError> {
+        let size = self.size();
+        size.check(&self.source.path().display().to_string(), available)?;
+        let mut model = Model::default();
+        model.particles.reserve_exact(size.particles as usize);
+        model.springs.reserve_exact(size.springs as usize);
+        for particle in &self.file.particle {
+            particle.expand(&mut model);
+        }
+        let mut firsts = Vec::new();
+        for (.., generator) in self.generators() {
+            firsts.push(model.particles.len() as u32);
+            generator.particles(&mut model.particles);
+        }
+        model.springs.extend(
+            self.file
+                .spring
+                .iter()
+                .map(|spring| spring.expand(&model.particles)),
+        );
+        for ((.., generator), first) in self.generators().zip(firsts) {
+            generator.springs(first, &mut model.springs);
+        }
+        model
+            .planes
+            .extend(self.file.plane.iter().map(plane::Plane::expand));
+        Ok(model)
+    }
+
+    /// The key and number of each generator, in the order that their particles are numbered.
+    fn generators(&self) -> impl Iterator<Item = (&'static str, usize, &dyn Generator)> {
+        fn of<'a, T: Generator>(
+            key: &'static str,
+            list: &'a [T],
+        ) -> impl Iterator<Item = (&'static str, usize, &'a dyn Generator)> {
+            list.iter()
+                .enumerate()
+                .map(move |(index, item)| (key, index, item as &dyn Generator))
+        }
+        of("rope", &self.file.rope)
+            .chain(of("cloth", &self.file.cloth))
+            .chain(of("block", &self.file.block))
+            .chain(of("cloud", &self.file.cloud))
+            .chain(of("mesh", &self.meshes))
+    }
+
+    fn size(&self) -> Size {
+        let written = Size {
+            particles: self.file.particle.len() as u128,
+            springs: self.file.spring.len() as u128,
+        };
+        self.generators()
+            .map(|(.., generator)| generator.size())
+            .fold(written, Size::add)
+    }
+
+    fn check(&self) -> Result<(), Problem> {
+        self.settings.check()?;
+        check_each("particle", &self.file.particle, particle::Particle::check)?;
+        check_each("plane", &self.file.plane, plane::Plane::check)?;
+        for (key, index, generator) in self.generators() {
+            generator
+                .check()
+                .map_err(|problem| problem.inside_item(key, index))?;
+        }
+        let particles = u64::try_from(self.size().particles).unwrap_or(u64::MAX);
+        check_each("spring", &self.file.spring, |spring| {
+            spring.check(particles)
+        })
+    }
+}
+
+fn check_each<T>(
+    key: &str,
+    list: &[T],
+    check: impl Fn(&T) -> Result<(), Problem>,
+) -> Result<(), Problem> {
+    list.iter().enumerate().try_for_each(|(index, item)| {
+        check(item).map_err(|problem| problem.inside_item(key, index))
+    })
+}

@@ -1,0 +1,67 @@
+//! Settings that the command line puts in place of the scene's.
+
+use super::error::SceneError;
+use super::names::{CollisionForm, Precision, StepperName};
+use super::settings::Settings;
+use super::time_step::TimeStep;
+
+/// Flags named as the scene's keys; each one given wins over the scene.
+#[derive(Clone, Debug, Default, PartialEq, clap::Args)]
+pub struct Overrides {
+    /// How long to simulate, s.
+    #[arg(long, value_name = "SECONDS", value_parser = number, allow_negative_numbers = true)]
+    pub duration: Option<f64>,
+    /// The length of a step, s, or auto.
+    #[arg(long, value_name = "SECONDS|auto", allow_negative_numbers = true)]
+    pub time_step: Option<TimeStep>,
+    /// Frames per second of simulated time.
+    #[arg(long, value_name = "RATE", value_parser = number, allow_negative_numbers = true)]
+    pub frame_rate: Option<f64>,
+    /// How the state is stepped.
+    #[arg(long, value_name = "NAME")]
+    pub stepper: Option<StepperName>,
+    /// What the run computes with.
+    #[arg(long, value_name = "NAME")]
+    pub precision: Option<Precision>,
+    /// The relative residual at which an implicit step counts as solved.
+    #[arg(long, value_name = "RESIDUAL", value_parser = number, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// What happens at a plane.
+    #[arg(long, value_name = "FORM")]
+    pub collision: Option<CollisionForm>,
+    /// Gravity, m/s², such as 0,0,-9.81.
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub gravity: Option<[f64; 3]>,
+}
+
+impl Settings {
+    /// The settings with the overrides in place, or the flag that is wrong.
+    pub(super) fn with(&self, overrides: &Overrides) -> Result<Self, SceneError> {
+        let settings = Self {
+            duration: overrides.duration.unwrap_or(self.duration),
+            time_step: overrides.time_step.unwrap_or(self.time_step),
+            frame_rate: overrides.frame_rate.unwrap_or(self.frame_rate),
+            stepper: overrides.stepper.unwrap_or(self.stepper),
+            precision: overrides.precision.unwrap_or(self.precision),
+            tolerance: overrides.tolerance.unwrap_or(self.tolerance),
+            collision: overrides.collision.unwrap_or(self.collision),
+            gravity: overrides.gravity.unwrap_or(self.gravity),
+            ..self.clone()
+        };
+        settings.check().map_err(super::error::Problem::of_flag)?;
+        Ok(settings)
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    text.trim()
+        .parse()
+        .map_err(|_| format!("expected a number, found {text:?}"))
+}
+
+fn vector(text: &str) -> Result<[f64; 3], String> {
+    let components: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
+    components.try_into().map_err(|_| {
+        format!("expected three numbers with commas between, such as 0,0,-9.81, found {text:?}")
+    })
+}
