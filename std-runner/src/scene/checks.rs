@@ -11,12 +11,7 @@ pub(super) fn positive(key: &str, value: f64, unit: &str) -> Result<(), Problem>
         return Ok(());
     }
     let rule = "it must be finite and more than 0";
-    Err(Problem::new(
-        key,
-        value,
-        rule,
-        format!("write a number of {unit} more than 0"),
-    ))
+    Err(Problem::new(key, value, rule, format!("write a number of {unit} more than 0")))
 }
 
 /// Refuses what is not finite and 0 or more.
@@ -25,12 +20,7 @@ pub(super) fn not_negative(key: &str, value: f64, unit: &str) -> Result<(), Prob
         return Ok(());
     }
     let rule = "it must be finite and not negative";
-    Err(Problem::new(
-        key,
-        value,
-        rule,
-        format!("write a number of {unit}, 0 or more"),
-    ))
+    Err(Problem::new(key, value, rule, format!("write a number of {unit}, 0 or more")))
 }
 
 /// Refuses what is not a number from 0 to 1.
@@ -48,12 +38,7 @@ pub(super) fn vector(key: &str, value: [f64; 3], unit: &str) -> Result<(), Probl
         return Ok(());
     }
     let rule = format!("every component must be finite, and at most {FARTHEST:e} either way");
-    Err(Problem::new(
-        key,
-        value,
-        rule,
-        format!("write three finite numbers of {unit}"),
-    ))
+    Err(Problem::new(key, value, rule, format!("write three finite numbers of {unit}")))
 }
 
 /// Refuses vectors that give no direction.
@@ -72,12 +57,7 @@ pub(super) fn count(key: &str, value: u32, least: u32) -> Result<(), Problem> {
         return Ok(());
     }
     let remedy = format!("write a whole number, {least} or more");
-    Err(Problem::new(
-        key,
-        value,
-        format!("it must be at least {least}"),
-        remedy,
-    ))
+    Err(Problem::new(key, value, format!("it must be at least {least}"), remedy))
 }
 
 /// Refuses a side with fewer than the two particles that a spring needs.
@@ -86,10 +66,5 @@ pub(super) fn sides<const DIMENSIONS: usize>(value: [u32; DIMENSIONS]) -> Result
         return Ok(());
     }
     let remedy = format!("write {DIMENSIONS} whole numbers, each 2 or more");
-    Err(Problem::new(
-        "particles",
-        value,
-        "every side must have at least 2",
-        remedy,
-    ))
+    Err(Problem::new("particles", value, "every side must have at least 2", remedy))
 }

@@ -102,18 +102,8 @@ pub(super) struct Problem {
 
 impl Problem {
     /// With the value of `key`.
-    pub(super) fn new(
-        key: &str,
-        value: impl fmt::Debug,
-        rule: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Self {
-        Self {
-            path: KeyPath::key(key),
-            value: format!("{value:?}"),
-            rule: rule.into(),
-            remedy: remedy.into(),
-        }
+    pub(super) fn new(key: &str, value: impl fmt::Debug, rule: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self { path: KeyPath::key(key), value: format!("{value:?}"), rule: rule.into(), remedy: remedy.into() }
     }
 
     /// With item number `index` of the list `key`.
@@ -125,18 +115,12 @@ impl Problem {
         remedy: impl Into<String>,
     ) -> Self {
         let path = KeyPath::default().inside_index(index).inside_key(key);
-        Self {
-            path,
-            ..Self::new(key, value, rule, remedy)
-        }
+        Self { path, ..Self::new(key, value, rule, remedy) }
     }
 
     /// With a key that is needed and not there.
     pub(super) fn absent(key: &str, rule: &str, remedy: &str) -> Self {
-        Self {
-            value: "left out".to_owned(),
-            ..Self::new(key, (), rule, remedy)
-        }
+        Self { value: "left out".to_owned(), ..Self::new(key, (), rule, remedy) }
     }
 
     /// The same problem, seen from the table that holds it under `key`.

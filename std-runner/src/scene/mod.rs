@@ -61,15 +61,8 @@ impl Scene {
             .enumerate()
             .map(|(index, entry)| entry.load(index, &source))
             .collect::<Result<_, _>>()?;
-        let scene = Self {
-            settings,
-            file,
-            meshes,
-            source,
-        };
-        scene
-            .check()
-            .map_err(|problem| scene.source.problem(problem))?;
+        let scene = Self { settings, file, meshes, source };
+        scene.check().map_err(|problem| scene.source.problem(problem))?;
         Ok(scene)
     }
 
@@ -114,18 +107,11 @@ impl Scene {
             firsts.push(model.particles.len() as u32);
             generator.particles(&mut model.particles);
         }
-        model.springs.extend(
-            self.file
-                .spring
-                .iter()
-                .map(|spring| spring.expand(&model.particles)),
-        );
+        model.springs.extend(self.file.spring.iter().map(|spring| spring.expand(&model.particles)));
         for ((.., generator), first) in self.generators().zip(firsts) {
             generator.springs(first, &mut model.springs);
         }
-        model
-            .planes
-            .extend(self.file.plane.iter().map(plane::Plane::expand));
+        model.planes.extend(self.file.plane.iter().map(plane::Plane::expand));
         Ok(model)
     }
 
@@ -135,9 +121,7 @@ impl Scene {
             key: &'static str,
             list: &'a [T],
         ) -> impl Iterator<Item = (&'static str, usize, &'a dyn Generator)> {
-            list.iter()
-                .enumerate()
-                .map(move |(index, item)| (key, index, item as &dyn Generator))
+            list.iter().enumerate().map(move |(index, item)| (key, index, item as &dyn Generator))
         }
         of("rope", &self.file.rope)
             .chain(of("cloth", &self.file.cloth))
@@ -147,13 +131,8 @@ impl Scene {
     }
 
     fn size(&self) -> Size {
-        let written = Size {
-            particles: self.file.particle.len() as u128,
-            springs: self.file.spring.len() as u128,
-        };
-        self.generators()
-            .map(|(.., generator)| generator.size())
-            .fold(written, Size::add)
+        let written = Size { particles: self.file.particle.len() as u128, springs: self.file.spring.len() as u128 };
+        self.generators().map(|(.., generator)| generator.size()).fold(written, Size::add)
     }
 
     fn check(&self) -> Result<(), Problem> {
@@ -161,23 +140,13 @@ impl Scene {
         check_each("particle", &self.file.particle, particle::Particle::check)?;
         check_each("plane", &self.file.plane, plane::Plane::check)?;
         for (key, index, generator) in self.generators() {
-            generator
-                .check()
-                .map_err(|problem| problem.inside_item(key, index))?;
+            generator.check().map_err(|problem| problem.inside_item(key, index))?;
         }
         let particles = u64::try_from(self.size().particles).unwrap_or(u64::MAX);
-        check_each("spring", &self.file.spring, |spring| {
-            spring.check(particles)
-        })
+        check_each("spring", &self.file.spring, |spring| spring.check(particles))
     }
 }
 
-fn check_each<T>(
-    key: &str,
-    list: &[T],
-    check: impl Fn(&T) -> Result<(), Problem>,
-) -> Result<(), Problem> {
-    list.iter().enumerate().try_for_each(|(index, item)| {
-        check(item).map_err(|problem| problem.inside_item(key, index))
-    })
+fn check_each<T>(key: &str, list: &[T], check: impl Fn(&T) -> Result<(), Problem>) -> Result<(), Problem> {
+    list.iter().enumerate().try_for_each(|(index, item)| check(item).map_err(|problem| problem.inside_item(key, index)))
 }

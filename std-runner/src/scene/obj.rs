@@ -33,9 +33,7 @@ impl Shape {
             let vertices = shape.vertices.len();
             return Err(SceneError::plain(
                 path.display(),
-                format!(
-                    "the mesh has no edges: {vertices} vertices, and no face or line that joins any two"
-                ),
+                format!("the mesh has no edges: {vertices} vertices, and no face or line that joins any two"),
                 "export the mesh with its faces (`f` lines) or edges (`l` lines)".to_owned(),
             ));
         }
@@ -129,11 +127,7 @@ fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
         next += line.len();
         let text = line.split('#').next().unwrap_or_default().trim_end();
         let keyword = text.split_whitespace().next().unwrap_or_default();
-        Statement {
-            text,
-            span: start..start + text.len(),
-            keyword,
-        }
+        Statement { text, span: start..start + text.len(), keyword }
     })
 }
 
@@ -143,12 +137,7 @@ impl<'text> Statement<'text> {
     }
 
     fn refusal(&self, message: String, remedy: &str) -> Refusal {
-        Refusal {
-            span: Some(self.span.clone()),
-            message,
-            label: "on this line".to_owned(),
-            remedy: remedy.to_owned(),
-        }
+        Refusal { span: Some(self.span.clone()), message, label: "on this line".to_owned(), remedy: remedy.to_owned() }
     }
 }
 
@@ -158,14 +147,9 @@ fn vertex(statement: &Statement<'_>) -> Result<[f64; 3], Refusal> {
     let mut words = statement.words();
     for component in &mut vertex {
         let Some(word) = words.next() else {
-            return Err(statement.refusal(
-                format!("a vertex has three numbers, this is `{}`", statement.text),
-                remedy,
-            ));
+            return Err(statement.refusal(format!("a vertex has three numbers, this is `{}`", statement.text), remedy));
         };
-        *component = word
-            .parse()
-            .map_err(|_| statement.refusal(format!("`{word}` is not a number"), remedy))?;
+        *component = word.parse().map_err(|_| statement.refusal(format!("`{word}` is not a number"), remedy))?;
     }
     match checks::vector("v", vertex, "metres") {
         Ok(()) => Ok(vertex),
@@ -174,22 +158,11 @@ fn vertex(statement: &Statement<'_>) -> Result<[f64; 3], Refusal> {
 }
 
 /// The vertices that a face or a line names, counted from 0.
-fn indices(
-    statement: &Statement<'_>,
-    least: usize,
-    so_far: i64,
-    count: usize,
-) -> Result<Vec<u32>, Refusal> {
-    let indices: Vec<u32> = statement
-        .words()
-        .map(|word| index(statement, word, so_far, count))
-        .collect::<Result<_, _>>()?;
+fn indices(statement: &Statement<'_>, least: usize, so_far: i64, count: usize) -> Result<Vec<u32>, Refusal> {
+    let indices: Vec<u32> =
+        statement.words().map(|word| index(statement, word, so_far, count)).collect::<Result<_, _>>()?;
     if indices.len() < least {
-        let message = format!(
-            "`{}` names {} vertices, and needs at least {least}",
-            statement.text,
-            indices.len()
-        );
+        let message = format!("`{}` names {} vertices, and needs at least {least}", statement.text, indices.len());
         return Err(statement.refusal(message, "add the missing vertices, or take the line out"));
     }
     Ok(indices)
@@ -200,26 +173,16 @@ fn index(statement: &Statement<'_>, word: &str, so_far: i64, count: usize) -> Re
     let written = word.split('/').next().unwrap_or_default();
     let Ok(number) = written.parse::<i64>() else {
         let message = format!("`{word}` names no vertex: `{written}` is not a whole number");
-        return Err(statement.refusal(
-            message,
-            "write vertices as whole numbers from 1, or negative to count back",
-        ));
+        return Err(statement.refusal(message, "write vertices as whole numbers from 1, or negative to count back"));
     };
-    let from_zero = if number < 0 {
-        so_far.saturating_add(number)
-    } else {
-        number - 1
-    };
+    let from_zero = if number < 0 { so_far.saturating_add(number) } else { number - 1 };
     match u32::try_from(from_zero) {
         Ok(index) if (index as usize) < count => Ok(index),
         _ => {
             let message = format!(
                 "there is no vertex {number}: the mesh has {count}, numbers 1 to {count}, and {so_far} before this line"
             );
-            Err(statement.refusal(
-                message,
-                "name a vertex that exists; they count from 1, and back from -1",
-            ))
+            Err(statement.refusal(message, "name a vertex that exists; they count from 1, and back from -1"))
         }
     }
 }

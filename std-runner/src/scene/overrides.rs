@@ -54,14 +54,12 @@ impl Settings {
 }
 
 fn number(text: &str) -> Result<f64, String> {
-    text.trim()
-        .parse()
-        .map_err(|_| format!("expected a number, found {text:?}"))
+    text.trim().parse().map_err(|_| format!("expected a number, found {text:?}"))
 }
 
 fn vector(text: &str) -> Result<[f64; 3], String> {
     let components: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
-    components.try_into().map_err(|_| {
-        format!("expected three numbers with commas between, such as 0,0,-9.81, found {text:?}")
-    })
+    components
+        .try_into()
+        .map_err(|_| format!("expected three numbers with commas between, such as 0,0,-9.81, found {text:?}"))
 }

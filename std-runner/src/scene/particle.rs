@@ -44,22 +44,13 @@ impl Particle {
         let Some(keyframes) = &self.keyframes else {
             if self.position.is_none() {
                 let rule = "a particle without keyframes starts somewhere";
-                return Err(Problem::absent(
-                    "position",
-                    rule,
-                    "add position = [x, y, z], in metres",
-                ));
+                return Err(Problem::absent("position", rule, "add position = [x, y, z], in metres"));
             }
             return self.check_still(self.pinned, "pinned");
         };
         if self.pinned {
             let rule = "a particle with keyframes follows them";
-            return Err(Problem::new(
-                "pinned",
-                true,
-                rule,
-                "keep either `pinned` or `keyframes`",
-            ));
+            return Err(Problem::new("pinned", true, rule, "keep either `pinned` or `keyframes`"));
         }
         self.check_still(true, "on keyframes")?;
         check_keyframes(keyframes)?;
@@ -72,12 +63,7 @@ impl Particle {
             return Ok(());
         }
         let rule = format!("a particle that is {how} does not choose how it moves");
-        Err(Problem::new(
-            "velocity",
-            self.velocity,
-            rule,
-            "take the velocity away, or let the particle go",
-        ))
+        Err(Problem::new("velocity", self.velocity, rule, "take the velocity away, or let the particle go"))
     }
 
     /// Refuses a position that the keyframes contradict.
@@ -92,12 +78,7 @@ impl Particle {
             return Ok(());
         }
         let rule = format!("the keyframes have it at {start:?} at time 0");
-        Err(Problem::new(
-            "position",
-            position,
-            rule,
-            "leave the position out, or make the two agree",
-        ))
+        Err(Problem::new("position", position, rule, "leave the position out, or make the two agree"))
     }
 
     pub(super) fn expand(&self, model: &mut Model) {
@@ -105,48 +86,32 @@ impl Particle {
             Some(keyframes) => {
                 let (position, velocity) = at_time_zero(keyframes);
                 let number = model.tracks.len() as u32;
-                let keys = keyframes
-                    .iter()
-                    .map(|&[time, x, y, z]| (time, [x, y, z]))
-                    .collect();
+                let keys = keyframes.iter().map(|&[time, x, y, z]| (time, [x, y, z])).collect();
                 model.tracks.push(Track { keys });
                 (position, velocity, Hold::Track(number))
             }
             None if self.pinned => (self.position.unwrap_or_default(), [0.0; 3], Hold::Pinned),
             None => (self.position.unwrap_or_default(), self.velocity, Hold::Free),
         };
-        model.particles.push(ModelParticle {
-            position,
-            velocity,
-            mass: self.mass,
-            hold,
-        });
+        model.particles.push(ModelParticle { position, velocity, mass: self.mass, hold });
     }
 }
 
 fn check_keyframes(keyframes: &[[f64; 4]]) -> Result<(), Problem> {
     if keyframes.is_empty() {
         let remedy = "write rows of t, x, y, z, such as [[0.0, 0.0, 0.0, 2.0]]";
-        return Err(Problem::new(
-            "keyframes",
-            keyframes,
-            "it must have a row",
-            remedy,
-        ));
+        return Err(Problem::new("keyframes", keyframes, "it must have a row", remedy));
     }
     for (number, row) in keyframes.iter().enumerate() {
         let [time, x, y, z] = *row;
-        let problem =
-            |rule: &str, remedy: &str| Problem::item("keyframes", number, row, rule, remedy);
+        let problem = |rule: &str, remedy: &str| Problem::item("keyframes", number, row, rule, remedy);
         if !time.is_finite() || checks::vector("keyframes", [x, y, z], "metres").is_err() {
             return Err(problem(
                 "t, x, y and z must be finite",
                 "write four finite numbers: t in s, then x, y, z in m",
             ));
         }
-        let earlier = number
-            .checked_sub(1)
-            .and_then(|previous| keyframes.get(previous));
+        let earlier = number.checked_sub(1).and_then(|previous| keyframes.get(previous));
         if earlier.is_some_and(|earlier| earlier[0] >= time) {
             return Err(problem(
                 "its time must be later than the row before it",

@@ -38,10 +38,6 @@ impl Plane {
         let normal = DVec3::from(self.normal);
         // The square of a very short normal would be rounded to nothing.
         let normal = (normal / normal.abs().max_element()).normalize();
-        ModelPlane {
-            point: self.point,
-            normal: normal.to_array(),
-            restitution: self.restitution,
-        }
+        ModelPlane { point: self.point, normal: normal.to_array(), restitution: self.restitution }
     }
 }

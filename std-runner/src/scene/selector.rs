@@ -21,22 +21,12 @@ impl<Name, const SIDES: usize> Selector<Name, SIDES> {
     /// Refuses places outside of the grid.
     pub(super) fn check(&self, number: usize, counts: [u32; SIDES]) -> Result<(), Problem> {
         let Self::At(place) = self else { return Ok(()) };
-        if place
-            .iter()
-            .zip(&counts)
-            .all(|(place, count)| place < count)
-        {
+        if place.iter().zip(&counts).all(|(place, count)| place < count) {
             return Ok(());
         }
         let last = counts.map(|count| count - 1);
         let rule = format!("the places go from {:?} to {last:?}", [0; SIDES]);
-        Err(Problem::item(
-            "pinned",
-            number,
-            place,
-            rule,
-            "pin a particle that exists; places count from 0",
-        ))
+        Err(Problem::item("pinned", number, place, rule, "pin a particle that exists; places count from 0"))
     }
 }
 
@@ -60,10 +50,7 @@ where
     type Value = Selector<Name, SIDES>;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "a name in double quotes or a list of {SIDES} whole numbers"
-        )
+        write!(formatter, "a name in double quotes or a list of {SIDES} whole numbers")
     }
 
     fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
@@ -97,10 +84,7 @@ where
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let (name, place) = (
-            generator.subschema_for::<Name>(),
-            generator.subschema_for::<[u32; SIDES]>(),
-        );
+        let (name, place) = (generator.subschema_for::<Name>(), generator.subschema_for::<[u32; SIDES]>());
         json_schema!({ "anyOf": [name, place] })
     }
 }

@@ -65,12 +65,7 @@ fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {
         && position == target
     {
         let rule = "it must not be where the camera itself is";
-        return Err(Problem::new(
-            "target",
-            target,
-            rule,
-            "move the target, or the camera's position",
-        ));
+        return Err(Problem::new("target", target, rule, "move the target, or the camera's position"));
     }
     if let Some(up) = camera.up {
         checks::direction("up", up)?;
@@ -79,23 +74,13 @@ fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {
         && !(angle > 0.0 && angle < 180.0)
     {
         let rule = "it must be more than 0 and less than 180 degrees";
-        return Err(Problem::new(
-            "field_of_view",
-            angle,
-            rule,
-            "write an angle such as 40.0",
-        ));
+        return Err(Problem::new("field_of_view", angle, rule, "write an angle such as 40.0"));
     }
     if let Some(size) = camera.size
         && !size.iter().all(|side| PICTURE_SIDE.contains(side))
     {
         let rule = "both must be from 16 to 8192 pixels";
-        return Err(Problem::new(
-            "size",
-            size,
-            rule,
-            "write a width and a height such as [960, 720]",
-        ));
+        return Err(Problem::new("size", size, rule, "write a width and a height such as [960, 720]"));
     }
     Ok(())
 }

@@ -15,10 +15,7 @@ impl Add for Size {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            particles: self.particles + other.particles,
-            springs: self.springs + other.springs,
-        }
+        Self { particles: self.particles + other.particles, springs: self.springs + other.springs }
     }
 }
 
@@ -37,13 +34,10 @@ impl Size {
     pub(super) fn check(self, place: &str, available: u64) -> Result<(), SceneError> {
         let Self { particles, springs } = self;
         let most = u128::from(u32::MAX);
-        let fewer =
-            "ask for fewer particles: half as many along each side of a block make an eighth of it"
-                .to_owned();
+        let fewer = "ask for fewer particles: half as many along each side of a block make an eighth of it".to_owned();
         for (count, what) in [(particles, "particles"), (springs, "springs")] {
             if count > most {
-                let message =
-                    format!("the scene makes {count} {what}, and at most {most} can be numbered");
+                let message = format!("the scene makes {count} {what}, and at most {most} can be numbered");
                 return Err(SceneError::plain(place, message, fewer));
             }
         }
@@ -54,11 +48,7 @@ impl Size {
                 in_units(needed),
                 in_units(available.into()),
             );
-            return Err(SceneError::plain(
-                place,
-                message,
-                format!("{fewer}; or free some memory"),
-            ));
+            return Err(SceneError::plain(place, message, format!("{fewer}; or free some memory")));
         }
         Ok(())
     }
@@ -66,15 +56,12 @@ impl Size {
 
 /// Bytes that this process may still take; as good as endless where the system does not say.
 pub(super) fn available_memory() -> u64 {
-    let refresh = sysinfo::RefreshKind::nothing()
-        .with_memory(sysinfo::MemoryRefreshKind::nothing().with_ram());
+    let refresh = sysinfo::RefreshKind::nothing().with_memory(sysinfo::MemoryRefreshKind::nothing().with_ram());
     let Ok(system) = sysinfo::System::new_with_specifics(refresh) else {
         return u64::MAX;
     };
     // A container may allow less than its machine has.
-    let allowed = system
-        .cgroup_limits()
-        .map_or(u64::MAX, |limits| limits.free_memory);
+    let allowed = system.cgroup_limits().map_or(u64::MAX, |limits| limits.free_memory);
     match system.available_memory() {
         0 => allowed,
         available => available.min(allowed),

@@ -36,24 +36,14 @@ impl Spring {
             checks::not_negative("rest_length", rest_length, "metres")?;
         }
         let between = |rule, remedy| Err(Problem::new("between", self.between, rule, remedy));
-        if let Some(missing) = self
-            .between
-            .iter()
-            .find(|&&number| u64::from(number) >= particles)
-        {
+        if let Some(missing) = self.between.iter().find(|&&number| u64::from(number) >= particles) {
             let there_are = match particles {
                 0 => "the scene has no particles".to_owned(),
                 1 => "the scene has 1 particle, number 0".to_owned(),
-                _ => format!(
-                    "the scene has {particles} particles, numbers 0 to {}",
-                    particles - 1
-                ),
+                _ => format!("the scene has {particles} particles, numbers 0 to {}", particles - 1),
             };
             let rule = format!("there is no particle {missing}; {there_are}");
-            return between(
-                rule,
-                "join two particles that exist, or add the one that is missing".to_owned(),
-            );
+            return between(rule, "join two particles that exist, or add the one that is missing".to_owned());
         }
         if self.between[0] == self.between[1] {
             let rule = format!("it joins particle {} to itself", self.between[0]);
@@ -63,9 +53,7 @@ impl Spring {
     }
 
     pub(super) fn expand(&self, particles: &[ModelParticle]) -> ModelSpring {
-        let [from, to] = self
-            .between
-            .map(|number| particles[number as usize].position);
+        let [from, to] = self.between.map(|number| particles[number as usize].position);
         ModelSpring {
             between: self.between,
             stiffness: self.stiffness,
@@ -101,11 +89,6 @@ impl Law {
 
     pub(super) fn between(&self, between: [u32; 2], rest_length: f64) -> ModelSpring {
         let Self { stiffness, damping } = *self;
-        ModelSpring {
-            between,
-            stiffness,
-            damping,
-            rest_length,
-        }
+        ModelSpring { between, stiffness, damping, rest_length }
     }
 }

@@ -41,10 +41,7 @@ pub fn model(toml: &str) -> Model {
 pub fn printed(error: &SceneError) -> String {
     let mut out = String::new();
     let theme = GraphicalTheme::none();
-    GraphicalReportHandler::new_themed(theme)
-        .with_width(400)
-        .render_report(&mut out, error)
-        .unwrap();
+    GraphicalReportHandler::new_themed(theme).with_width(400).render_report(&mut out, error).unwrap();
     out
 }
 
@@ -52,10 +49,7 @@ pub fn printed(error: &SceneError) -> String {
 #[track_caller]
 pub fn assert_says(error: &SceneError, place: &str, value: &str, remedy: &str) {
     let message = error.to_string();
-    let help = error
-        .help()
-        .map(|help| help.to_string())
-        .unwrap_or_default();
+    let help = error.help().map(|help| help.to_string()).unwrap_or_default();
     let all = printed(error);
     assert!(message.contains(place), "no place {place:?} in\n{all}");
     assert!(message.contains(value), "no value {value:?} in\n{all}");
@@ -73,9 +67,7 @@ position = [1, 0, 1]
 /// The scene is refused, and the error says these.
 #[track_caller]
 pub fn refuses(toml: &str, place: &str, value: &str, remedy: &str) {
-    let error = load("scene.toml", toml)
-        .err()
-        .unwrap_or_else(|| panic!("loaded:\n{toml}"));
+    let error = load("scene.toml", toml).err().unwrap_or_else(|| panic!("loaded:\n{toml}"));
     assert_says(&error, place, value, remedy);
 }
 

@@ -86,18 +86,11 @@ impl Block {
     fn lattice(&self) -> Lattice {
         let [x, y, z] = self.size;
         let sides = [DVec3::X * x, DVec3::Y * y, DVec3::Z * z];
-        Lattice {
-            counts: self.particles,
-            corner: self.corner.into(),
-            sides,
-        }
+        Lattice { counts: self.particles, corner: self.corner.into(), sides }
     }
 
     fn law(&self) -> Law {
-        Law {
-            stiffness: self.stiffness,
-            damping: self.damping,
-        }
+        Law { stiffness: self.stiffness, damping: self.damping }
     }
 
     fn pins(&self, place: [u32; 3]) -> bool {
@@ -123,31 +116,18 @@ impl Generator for Block {
         checks::positive("mass", self.mass, "kg")?;
         checks::vector("velocity", self.velocity, "m/s")?;
         self.law().check()?;
-        self.pinned
-            .iter()
-            .enumerate()
-            .try_for_each(|(number, pinned)| pinned.check(number, self.particles))
+        self.pinned.iter().enumerate().try_for_each(|(number, pinned)| pinned.check(number, self.particles))
     }
 
     fn size(&self) -> Size {
         let lattice = self.lattice();
-        let springs = NEIGHBOURS
-            .iter()
-            .map(|&offset| lattice.pair_count(offset))
-            .sum();
-        Size {
-            particles: lattice.particle_count(),
-            springs,
-        }
+        let springs = NEIGHBOURS.iter().map(|&offset| lattice.pair_count(offset)).sum();
+        Size { particles: lattice.particle_count(), springs }
     }
 
     fn particles(&self, out: &mut Vec<ModelParticle>) {
-        let common = Common {
-            mass: self.mass,
-            velocity: self.velocity,
-        };
-        self.lattice()
-            .particles(common, |place| self.pins(place), out);
+        let common = Common { mass: self.mass, velocity: self.velocity };
+        self.lattice().particles(common, |place| self.pins(place), out);
     }
 
     fn springs(&self, first: u32, out: &mut Vec<ModelSpring>) {

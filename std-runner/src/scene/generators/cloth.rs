@@ -78,25 +78,13 @@ const BEND: [[i32; 3]; 2] = [[2, 0, 0], [0, 2, 0]];
 impl Cloth {
     fn lattice(&self) -> Lattice {
         let [along_u, along_v] = self.particles;
-        let sides = [
-            DVec3::from(self.edge_u),
-            DVec3::from(self.edge_v),
-            DVec3::ZERO,
-        ];
-        Lattice {
-            counts: [along_u, along_v, 1],
-            corner: self.corner.into(),
-            sides,
-        }
+        let sides = [DVec3::from(self.edge_u), DVec3::from(self.edge_v), DVec3::ZERO];
+        Lattice { counts: [along_u, along_v, 1], corner: self.corner.into(), sides }
     }
 
     /// The springs that it has, in their order.
     fn families(&self) -> impl Iterator<Item = (Law, [i32; 3])> {
-        let families = [
-            (self.structural, STRUCTURAL),
-            (self.shear, SHEAR),
-            (self.bend, BEND),
-        ];
+        let families = [(self.structural, STRUCTURAL), (self.shear, SHEAR), (self.bend, BEND)];
         families
             .into_iter()
             .filter_map(|(law, offsets)| Some((law?, offsets)))
@@ -128,40 +116,23 @@ impl Generator for Cloth {
         checks::sides(self.particles)?;
         checks::positive("mass", self.mass, "kg")?;
         checks::vector("velocity", self.velocity, "m/s")?;
-        for (key, law) in [
-            ("structural", self.structural),
-            ("shear", self.shear),
-            ("bend", self.bend),
-        ] {
+        for (key, law) in [("structural", self.structural), ("shear", self.shear), ("bend", self.bend)] {
             if let Some(law) = law {
                 law.check().map_err(|problem| problem.inside(key))?;
             }
         }
-        self.pinned
-            .iter()
-            .enumerate()
-            .try_for_each(|(number, pinned)| pinned.check(number, self.particles))
+        self.pinned.iter().enumerate().try_for_each(|(number, pinned)| pinned.check(number, self.particles))
     }
 
     fn size(&self) -> Size {
         let lattice = self.lattice();
-        let springs = self
-            .families()
-            .map(|(_, offset)| lattice.pair_count(offset))
-            .sum();
-        Size {
-            particles: lattice.particle_count(),
-            springs,
-        }
+        let springs = self.families().map(|(_, offset)| lattice.pair_count(offset)).sum();
+        Size { particles: lattice.particle_count(), springs }
     }
 
     fn particles(&self, out: &mut Vec<ModelParticle>) {
-        let common = Common {
-            mass: self.mass,
-            velocity: self.velocity,
-        };
-        self.lattice()
-            .particles(common, |[u, v, _]| self.pins(u, v), out);
+        let common = Common { mass: self.mass, velocity: self.velocity };
+        self.lattice().particles(common, |[u, v, _]| self.pins(u, v), out);
     }
 
     fn springs(&self, first: u32, out: &mut Vec<ModelSpring>) {

@@ -45,17 +45,11 @@ impl Generator for Cloud {
     }
 
     fn size(&self) -> Size {
-        Size {
-            particles: self.particles.into(),
-            springs: 0,
-        }
+        Size { particles: self.particles.into(), springs: 0 }
     }
 
     fn particles(&self, out: &mut Vec<ModelParticle>) {
-        let common = Common {
-            mass: self.mass,
-            velocity: self.velocity,
-        };
+        let common = Common { mass: self.mass, velocity: self.velocity };
         let powers = [PLASTIC, PLASTIC * PLASTIC, PLASTIC * PLASTIC * PLASTIC];
         out.extend((0..self.particles).map(|number| {
             let along = |axis: usize| {

@@ -31,17 +31,8 @@ pub(super) struct Common {
 impl Common {
     /// A particle that moves with the others, or stays.
     pub(super) fn particle(self, position: [f64; 3], pinned: bool) -> ModelParticle {
-        let (velocity, hold) = if pinned {
-            ([0.0; 3], Hold::Pinned)
-        } else {
-            (self.velocity, Hold::Free)
-        };
-        ModelParticle {
-            position,
-            velocity,
-            mass: self.mass,
-            hold,
-        }
+        let (velocity, hold) = if pinned { ([0.0; 3], Hold::Pinned) } else { (self.velocity, Hold::Free) };
+        ModelParticle { position, velocity, mass: self.mass, hold }
     }
 }
 
@@ -53,16 +44,14 @@ impl Lattice {
 
     /// How many pairs of particles differ by `offset`.
     pub(super) fn pair_count(&self, offset: [i32; 3]) -> u128 {
-        let along =
-            |axis: usize| u128::from(self.counts[axis].saturating_sub(offset[axis].unsigned_abs()));
+        let along = |axis: usize| u128::from(self.counts[axis].saturating_sub(offset[axis].unsigned_abs()));
         along(0) * along(1) * along(2)
     }
 
     /// All places, in the order of their numbers.
     fn places(&self) -> impl Iterator<Item = Place> {
         let [first, second, third] = self.counts;
-        (0..third)
-            .flat_map(move |z| (0..second).flat_map(move |y| (0..first).map(move |x| [x, y, z])))
+        (0..third).flat_map(move |z| (0..second).flat_map(move |y| (0..first).map(move |x| [x, y, z])))
     }
 
     /// One side's part of the way to a place along it: exactly all of it at the end.
@@ -74,12 +63,7 @@ impl Lattice {
     }
 
     /// The particles, in the order of their numbers.
-    pub(super) fn particles(
-        &self,
-        common: Common,
-        pinned: impl Fn(Place) -> bool,
-        out: &mut Vec<ModelParticle>,
-    ) {
+    pub(super) fn particles(&self, common: Common, pinned: impl Fn(Place) -> bool, out: &mut Vec<ModelParticle>) {
         out.extend(self.places().map(|place| {
             let [x, y, z] = place.map(f64::from);
             let position = self.corner + self.along(0, x) + self.along(1, y) + self.along(2, z);
@@ -88,22 +72,13 @@ impl Lattice {
     }
 
     /// Springs from each particle to the one `offset` away, in the order of the first one's numbers.
-    pub(super) fn springs(
-        &self,
-        first: u32,
-        offset: [i32; 3],
-        law: Law,
-        out: &mut Vec<ModelSpring>,
-    ) {
+    pub(super) fn springs(&self, first: u32, offset: [i32; 3], law: Law, out: &mut Vec<ModelSpring>) {
         // The same for all of them: rounding each particle's place must not make equal springs differ.
         let [x, y, z] = offset.map(f64::from);
         let rest_length = (self.along(0, x) + self.along(1, y) + self.along(2, z)).length();
         out.extend(self.places().filter_map(|place| {
             let other = self.neighbour(place, offset)?;
-            Some(law.between(
-                [first + self.number(place), first + self.number(other)],
-                rest_length,
-            ))
+            Some(law.between([first + self.number(place), first + self.number(other)], rest_length))
         }));
     }
 
@@ -111,9 +86,7 @@ impl Lattice {
     fn neighbour(&self, place: Place, offset: [i32; 3]) -> Option<Place> {
         let mut other = place;
         for axis in 0..3 {
-            other[axis] = place[axis]
-                .checked_add_signed(offset[axis])
-                .filter(|&there| there < self.counts[axis])?;
+            other[axis] = place[axis].checked_add_signed(offset[axis]).filter(|&there| there < self.counts[axis])?;
         }
         Some(other)
     }

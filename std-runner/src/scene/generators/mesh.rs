@@ -60,24 +60,16 @@ impl MeshEntry {
         };
         let folder = scene.path().parent().unwrap_or(Path::new(""));
         let path = folder.join(&self.file);
-        let ending = path
-            .extension()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .to_lowercase();
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         if ending != "obj" {
-            return Err(refused(
-                "only OBJ meshes are read, in files named `….obj`",
-                "save the mesh as OBJ",
-            ));
+            return Err(refused("only OBJ meshes are read, in files named `….obj`", "save the mesh as OBJ"));
         }
-        let text =
-            super::super::read::read_text(&path, "a mesh").map_err(|(message, remedy)| {
-                refused(
-                    &format!("{}: {message}", path.display()),
-                    &format!("{remedy}; paths are relative to the scene's folder"),
-                )
-            })?;
+        let text = super::super::read::read_text(&path, "a mesh").map_err(|(message, remedy)| {
+            refused(
+                &format!("{}: {message}", path.display()),
+                &format!("{remedy}; paths are relative to the scene's folder"),
+            )
+        })?;
         let shape = Shape::parse(&path, &text)?;
         Ok(Mesh { entry: self, shape })
     }
@@ -85,10 +77,7 @@ impl MeshEntry {
 
 impl Mesh {
     fn law(&self) -> Law {
-        Law {
-            stiffness: self.entry.stiffness,
-            damping: self.entry.damping,
-        }
+        Law { stiffness: self.entry.stiffness, damping: self.entry.damping }
     }
 }
 
@@ -104,13 +93,7 @@ impl Generator for Mesh {
         for (number, &vertex) in self.entry.pinned.iter().enumerate() {
             if vertex as usize >= count {
                 let rule = format!("the mesh has {count} vertices, numbers 0 to {}", count - 1);
-                return Err(Problem::item(
-                    "pinned",
-                    number,
-                    vertex,
-                    rule,
-                    "pin a vertex that exists",
-                ));
+                return Err(Problem::item("pinned", number, vertex, rule, "pin a vertex that exists"));
             }
         }
         Ok(())
@@ -118,24 +101,13 @@ impl Generator for Mesh {
 
     fn size(&self) -> Size {
         let bends = self.entry.bend.map_or(0, |_| self.shape.across.len());
-        Size {
-            particles: self.shape.vertices.len() as u128,
-            springs: (self.shape.edges.len() + bends) as u128,
-        }
+        Size { particles: self.shape.vertices.len() as u128, springs: (self.shape.edges.len() + bends) as u128 }
     }
 
     fn particles(&self, out: &mut Vec<ModelParticle>) {
         let start = out.len();
-        let common = Common {
-            mass: self.entry.mass,
-            velocity: self.entry.velocity,
-        };
-        out.extend(
-            self.shape
-                .vertices
-                .iter()
-                .map(|&vertex| common.particle(vertex, false)),
-        );
+        let common = Common { mass: self.entry.mass, velocity: self.entry.velocity };
+        out.extend(self.shape.vertices.iter().map(|&vertex| common.particle(vertex, false)));
         for &vertex in &self.entry.pinned {
             let particle = &mut out[start + vertex as usize];
             *particle = common.particle(particle.position, true);
@@ -143,17 +115,11 @@ impl Generator for Mesh {
     }
 
     fn springs(&self, first: u32, out: &mut Vec<ModelSpring>) {
-        let families = [
-            (Some(self.law()), &self.shape.edges),
-            (self.entry.bend, &self.shape.across),
-        ];
-        for (law, pairs) in families
-            .into_iter()
-            .filter_map(|(law, pairs)| Some((law?, pairs)))
-        {
-            out.extend(pairs.iter().map(|&pair| {
-                law.between(pair.map(|vertex| first + vertex), self.shape.length(pair))
-            }));
+        let families = [(Some(self.law()), &self.shape.edges), (self.entry.bend, &self.shape.across)];
+        for (law, pairs) in families.into_iter().filter_map(|(law, pairs)| Some((law?, pairs))) {
+            out.extend(
+                pairs.iter().map(|&pair| law.between(pair.map(|vertex| first + vertex), self.shape.length(pair))),
+            );
         }
     }
 }

@@ -58,18 +58,11 @@ impl Rope {
     fn lattice(&self) -> Lattice {
         let corner = DVec3::from(self.from);
         let sides = [DVec3::from(self.to) - corner, DVec3::ZERO, DVec3::ZERO];
-        Lattice {
-            counts: [self.particles, 1, 1],
-            corner,
-            sides,
-        }
+        Lattice { counts: [self.particles, 1, 1], corner, sides }
     }
 
     fn law(&self) -> Law {
-        Law {
-            stiffness: self.stiffness,
-            damping: self.damping,
-        }
+        Law { stiffness: self.stiffness, damping: self.damping }
     }
 }
 
@@ -88,10 +81,7 @@ impl Generator for Rope {
 
     fn size(&self) -> Size {
         let lattice = self.lattice();
-        Size {
-            particles: lattice.particle_count(),
-            springs: lattice.pair_count(NEXT),
-        }
+        Size { particles: lattice.particle_count(), springs: lattice.pair_count(NEXT) }
     }
 
     fn particles(&self, out: &mut Vec<ModelParticle>) {
@@ -102,10 +92,7 @@ impl Generator for Rope {
                 End::Last => place == last,
             })
         };
-        let common = Common {
-            mass: self.mass,
-            velocity: self.velocity,
-        };
+        let common = Common { mass: self.mass, velocity: self.velocity };
         self.lattice().particles(common, pinned, out);
         if let Some(last) = out.last_mut() {
             // To the bit, where adding up the way there may round.

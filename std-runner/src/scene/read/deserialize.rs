@@ -5,8 +5,7 @@ use std::ops::Range;
 
 use serde::de::value::StrDeserializer;
 use serde::de::{
-    DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, SeqAccess,
-    Unexpected, Visitor,
+    DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor,
 };
 use serde::forward_to_deserialize_any;
 
@@ -25,18 +24,9 @@ pub(super) struct Fault {
 
 #[derive(Debug)]
 enum FaultKind {
-    Mismatch {
-        found: String,
-        expected: String,
-    },
-    UnknownKey {
-        key: String,
-        known: &'static [&'static str],
-    },
-    UnknownName {
-        name: String,
-        known: &'static [&'static str],
-    },
+    Mismatch { found: String, expected: String },
+    UnknownKey { key: String, known: &'static [&'static str] },
+    UnknownName { name: String, known: &'static [&'static str] },
     MissingKey(&'static str),
     Other(String),
 }
@@ -51,11 +41,7 @@ impl Fault {
 
 impl From<FaultKind> for Fault {
     fn from(kind: FaultKind) -> Self {
-        Self {
-            path: KeyPath::default(),
-            span: None,
-            kind,
-        }
+        Self { path: KeyPath::default(), span: None, kind }
     }
 }
 
@@ -97,21 +83,14 @@ impl std::error::Error for Fault {}
 
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = if self.path.is_top() {
-            "the scene".to_owned()
-        } else {
-            format!("`{}`", self.path)
-        };
+        let place = if self.path.is_top() { "the scene".to_owned() } else { format!("`{}`", self.path) };
         match &self.kind {
             FaultKind::Mismatch { found, expected } => {
                 write!(formatter, "{place}: expected {expected}, found {found}")
             }
             FaultKind::UnknownKey { key, .. } => write!(formatter, "{place} has no key `{key}`"),
             FaultKind::UnknownName { name, .. } => {
-                write!(
-                    formatter,
-                    "{place} is {name:?}, which is no name it can have"
-                )
+                write!(formatter, "{place} is {name:?}, which is no name it can have")
             }
             FaultKind::MissingKey(key) => write!(formatter, "{place} needs the key `{key}`"),
             FaultKind::Other(message) => write!(formatter, "{place}: {message}"),
@@ -122,46 +101,26 @@ impl fmt::Display for Fault {
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Self {
         let (label, remedy) = match &fault.kind {
-            FaultKind::Mismatch { found, expected }
-                if found == "a table" && expected == "a list" =>
-            {
+            FaultKind::Mismatch { found, expected } if found == "a table" && expected == "a list" => {
                 let key = &fault.path;
-                let remedy =
-                    format!("write `[[{key}]]` with two brackets, or `\"{key}\": [{{…}}]` in JSON");
+                let remedy = format!("write `[[{key}]]` with two brackets, or `\"{key}\": [{{…}}]` in JSON");
                 ("one table".to_owned(), remedy)
             }
-            FaultKind::Mismatch { expected, .. } => {
-                ("this".to_owned(), format!("write {expected}"))
-            }
+            FaultKind::Mismatch { expected, .. } => ("this".to_owned(), format!("write {expected}")),
             FaultKind::UnknownKey { key, known } => {
                 let among = format!("The keys here are {}", known.join(", "));
-                (
-                    "unknown key".to_owned(),
-                    did_you_mean(words::nearest(key, known), &among),
-                )
+                ("unknown key".to_owned(), did_you_mean(words::nearest(key, known), &among))
             }
             FaultKind::UnknownName { name, known } => {
                 let among = format!("The names are {}", words::quoted(known));
-                (
-                    "unknown name".to_owned(),
-                    did_you_mean(words::nearest(name, known), &among),
-                )
+                ("unknown name".to_owned(), did_you_mean(words::nearest(name, known), &among))
             }
-            FaultKind::MissingKey(key) => (
-                format!("no `{key}` in here"),
-                format!("add a line `{key} = …`, or `\"{key}\": …` in JSON"),
-            ),
-            FaultKind::Other(_) => (
-                "this".to_owned(),
-                "write it as the example in the documentation does".to_owned(),
-            ),
+            FaultKind::MissingKey(key) => {
+                (format!("no `{key}` in here"), format!("add a line `{key} = …`, or `\"{key}\": …` in JSON"))
+            }
+            FaultKind::Other(_) => ("this".to_owned(), "write it as the example in the documentation does".to_owned()),
         };
-        Self {
-            message: fault.to_string(),
-            span: fault.span,
-            label,
-            remedy,
-        }
+        Self { message: fault.to_string(), span: fault.span, label, remedy }
     }
 }
 
@@ -196,14 +155,8 @@ impl Node {
             Value::Number(number) => visitor.visit_f64(*number),
             Value::Text(text) => visitor.visit_str(text),
             Value::Date(_) => Err(Fault::invalid_type(self.value.unexpected(), &visitor)),
-            Value::List(items) => visitor.visit_seq(Items {
-                items: items.iter(),
-                next: 0,
-            }),
-            Value::Table(entries) => visitor.visit_map(Entries {
-                entries: entries.iter(),
-                current: None,
-            }),
+            Value::List(items) => visitor.visit_seq(Items { items: items.iter(), next: 0 }),
+            Value::Table(entries) => visitor.visit_map(Entries { entries: entries.iter(), current: None }),
         }
     }
 }
@@ -222,11 +175,7 @@ impl<'de> Deserializer<'de> for &Node {
         }
     }
 
-    fn deserialize_tuple<V: Visitor<'de>>(
-        self,
-        length: usize,
-        visitor: V,
-    ) -> Result<V::Value, Fault> {
+    fn deserialize_tuple<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, Fault> {
         match &self.value {
             // An array takes what it needs and would not see that there is more.
             Value::List(items) if items.len() != length => {
@@ -279,20 +228,14 @@ struct Items<'tree> {
 impl<'de> SeqAccess<'de> for Items<'_> {
     type Error = Fault;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(
-        &mut self,
-        seed: T,
-    ) -> Result<Option<T::Value>, Fault> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Fault> {
         let Some(item) = self.items.next() else {
             return Ok(None);
         };
         let index = self.next;
         self.next += 1;
         let value = seed.deserialize(item);
-        value.map(Some).map_err(|fault| Fault {
-            path: fault.path.inside_index(index),
-            ..fault
-        })
+        value.map(Some).map_err(|fault| Fault { path: fault.path.inside_index(index), ..fault })
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -308,18 +251,13 @@ struct Entries<'tree> {
 impl<'de> MapAccess<'de> for Entries<'_> {
     type Error = Fault;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(
-        &mut self,
-        seed: K,
-    ) -> Result<Option<K::Value>, Fault> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Fault> {
         self.current = self.entries.next();
         let Some(entry) = self.current else {
             return Ok(None);
         };
         let key: StrDeserializer<'_, Fault> = entry.key.as_str().into_deserializer();
-        seed.deserialize(key)
-            .map(Some)
-            .map_err(|fault| fault.at(&entry.key_span))
+        seed.deserialize(key).map(Some).map_err(|fault| fault.at(&entry.key_span))
     }
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Fault> {
@@ -327,9 +265,6 @@ impl<'de> MapAccess<'de> for Entries<'_> {
             return Err(Fault::custom("a value was asked for before its key"));
         };
         let value = seed.deserialize(&entry.node);
-        value.map_err(|fault| Fault {
-            path: fault.path.inside_key(&entry.key),
-            ..fault
-        })
+        value.map_err(|fault| Fault { path: fault.path.inside_key(&entry.key), ..fault })
     }
 }

@@ -54,11 +54,7 @@ fn node(text: &str, raw: &RawValue, depth: usize) -> Result<Node, Refusal> {
                         ),
                     });
                 }
-                entries.push(Entry {
-                    key,
-                    key_span,
-                    node,
-                });
+                entries.push(Entry { key, key_span, node });
             }
             Value::Table(entries)
         }
@@ -83,11 +79,7 @@ fn node(text: &str, raw: &RawValue, depth: usize) -> Result<Node, Refusal> {
 
 /// Where and why a text is not JSON.
 fn syntax(text: &str, error: &serde_json::Error) -> Refusal {
-    let line_start: usize = text
-        .split_inclusive('\n')
-        .take(error.line().saturating_sub(1))
-        .map(str::len)
-        .sum();
+    let line_start: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
     let mut start = (line_start + error.column().saturating_sub(1)).min(text.len());
     while !text.is_char_boundary(start) {
         start -= 1;
@@ -100,9 +92,7 @@ fn syntax(text: &str, error: &serde_json::Error) -> Refusal {
         span: Some(start..end),
         message: words::syntax("JSON", message, text.get(start..end)),
         label: "the text stops being JSON here".to_owned(),
-        remedy:
-            "write keys and texts in double quotes, a comma between items and none after the last"
-                .to_owned(),
+        remedy: "write keys and texts in double quotes, a comma between items and none after the last".to_owned(),
     }
 }
 
@@ -112,11 +102,7 @@ fn key_span(text: &str, key: &str, value: &Range<usize>) -> Range<usize> {
     let before = before.strip_suffix(':').unwrap_or(before).trim_end();
     let before = before.strip_suffix('"').unwrap_or(before);
     // A key written with escapes is longer than it reads: point at its value instead.
-    if before.ends_with(key) {
-        before.len() - key.len()..before.len()
-    } else {
-        value.clone()
-    }
+    if before.ends_with(key) { before.len() - key.len()..before.len() } else { value.clone() }
 }
 
 /// A table's keys and unread values, in file order, repeated keys and all.
@@ -132,10 +118,7 @@ impl<'text> Deserialize<'text> for RawTable<'text> {
                 formatter.write_str("a table")
             }
 
-            fn visit_map<A: MapAccess<'text>>(
-                self,
-                mut map: A,
-            ) -> Result<RawTable<'text>, A::Error> {
+            fn visit_map<A: MapAccess<'text>>(self, mut map: A) -> Result<RawTable<'text>, A::Error> {
                 let mut pairs = Vec::new();
                 while let Some(pair) = map.next_entry()? {
                     pairs.push(pair);

@@ -30,11 +30,7 @@ pub(in crate::scene) struct Source {
 impl Source {
     /// Reads the file at `path`, in the format that its ending says.
     pub(in crate::scene) fn load(path: &Path) -> Result<Self, SceneError> {
-        let ending = path
-            .extension()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .to_lowercase();
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let format = match ending.as_str() {
             "toml" => Format::Toml,
             "json" => Format::Json,
@@ -48,11 +44,7 @@ impl Source {
         };
         let text = read_text(path, "a scene")
             .map_err(|(message, remedy)| SceneError::plain(path.display(), message, remedy))?;
-        Ok(Self {
-            path: path.to_owned(),
-            text,
-            format,
-        })
+        Ok(Self { path: path.to_owned(), text, format })
     }
 
     /// The file.
@@ -92,10 +84,7 @@ impl Source {
     fn tree(&self) -> Result<Node, Refusal> {
         if self.text.trim().is_empty() {
             let span = 0..0;
-            return Ok(Node {
-                span,
-                value: Value::Table(Vec::new()),
-            });
+            return Ok(Node { span, value: Value::Table(Vec::new()) });
         }
         match self.format {
             Format::Toml => toml::parse(&self.text),
@@ -108,24 +97,16 @@ impl Source {
 pub(in crate::scene) fn read_text(path: &Path, what: &str) -> Result<Arc<str>, (String, String)> {
     let bytes = fs::read(path).map_err(|error| {
         let remedy = match error.kind() {
-            std::io::ErrorKind::NotFound => {
-                "check the spelling, and the folder it is looked for in"
-            }
+            std::io::ErrorKind::NotFound => "check the spelling, and the folder it is looked for in",
             _ if path.is_dir() => "name a file, not a folder",
             _ => "check that the file may be read",
         };
-        (
-            format!("cannot read {what} here: {error}"),
-            remedy.to_owned(),
-        )
+        (format!("cannot read {what} here: {error}"), remedy.to_owned())
     })?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let offset = error.utf8_error().valid_up_to();
         let byte = error.as_bytes().get(offset).copied().unwrap_or_default();
-        (
-            format!("not UTF-8 text: byte {offset} is 0x{byte:02x}"),
-            format!("save it as UTF-8, if it is {what} at all"),
-        )
+        (format!("not UTF-8 text: byte {offset} is 0x{byte:02x}"), format!("save it as UTF-8, if it is {what} at all"))
     })?;
     // Some editors begin a file with a mark that no format here knows.
     Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).into())
@@ -138,7 +119,8 @@ impl Refusal {
             span: Some(span),
             message: format!("{written} is too large a number to hold"),
             label: "too large".to_owned(),
-            remedy: "write a number that is less than 1.8e308 either way, and a whole number less than 9.2e18".to_owned(),
+            remedy: "write a number that is less than 1.8e308 either way, and a whole number less than 9.2e18"
+                .to_owned(),
         }
     }
 }

@@ -26,29 +26,22 @@ fn syntax(text: &str, error: &toml::de::Error) -> Refusal {
             span,
             message: format!("the key `{key}` is written twice"),
             label: "again here".to_owned(),
-            remedy: format!(
-                "keep one `{key}`; several things of a kind each go under a `[[…]]` header"
-            ),
+            remedy: format!("keep one `{key}`; several things of a kind each go under a `[[…]]` header"),
         };
     }
     Refusal {
         span,
         message: words::syntax("TOML", error.message(), written),
         label: "the text stops being TOML here".to_owned(),
-        remedy:
-            "write `key = value` lines, and `[[particle]]` and the like above those of each thing; \
+        remedy: "write `key = value` lines, and `[[particle]]` and the like above those of each thing; \
                  texts go in double quotes, commas between the items of a list"
-                .to_owned(),
+            .to_owned(),
     }
 }
 
 fn table(span: Range<usize>, table: &DeTable<'_>) -> Result<Node, Refusal> {
     let entries = table.iter().map(|(key, value)| {
-        Ok::<_, Refusal>(Entry {
-            key: key.get_ref().to_string(),
-            key_span: key.span(),
-            node: node(value)?,
-        })
+        Ok::<_, Refusal>(Entry { key: key.get_ref().to_string(), key_span: key.span(), node: node(value)? })
     });
     let value = Value::Table(entries.collect::<Result<_, Refusal>>()?);
     Ok(Node { span, value })
@@ -64,16 +57,12 @@ fn node(value: &Spanned<DeValue<'_>>) -> Result<Node, Refusal> {
         },
         DeValue::Float(float) => match float.as_str().parse::<f64>() {
             // Only the words `inf` and `-inf` mean infinity; `1e999` is a slip of the pen.
-            Ok(number) if number.is_finite() || !float.as_str().contains(['e', 'E', '.']) => {
-                Value::Number(number)
-            }
+            Ok(number) if number.is_finite() || !float.as_str().contains(['e', 'E', '.']) => Value::Number(number),
             _ => return Err(Refusal::not_a_number(span, float)),
         },
         DeValue::Boolean(boolean) => Value::Boolean(*boolean),
         DeValue::Datetime(date) => Value::Date(format!("the date {date}")),
-        DeValue::Array(items) => {
-            Value::List(items.iter().map(node).collect::<Result<_, Refusal>>()?)
-        }
+        DeValue::Array(items) => Value::List(items.iter().map(node).collect::<Result<_, Refusal>>()?),
         DeValue::Table(inner) => return table(span, inner),
     };
     Ok(Node { span, value })

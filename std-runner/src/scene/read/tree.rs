@@ -39,10 +39,9 @@ impl Node {
         let mut node = self;
         for step in path.steps() {
             let inner = match (step, &node.value) {
-                (Step::Key(key), Value::Table(entries)) => entries
-                    .iter()
-                    .find(|entry| entry.key == *key)
-                    .map(|entry| &entry.node),
+                (Step::Key(key), Value::Table(entries)) => {
+                    entries.iter().find(|entry| entry.key == *key).map(|entry| &entry.node)
+                }
                 (Step::Index(index), Value::List(items)) => items.get(*index),
                 _ => None,
             };
