@@ -3,3 +3,4 @@
 pub mod model;
 pub mod record;
 pub mod scene;
+pub mod simulate;

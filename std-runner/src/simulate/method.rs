@@ -1,0 +1,134 @@
+//! The stepper and the response that a scene names.
+
+use hooke::{
+    Auto, Choice, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, Observer, Plan, Project, Real, Reflect,
+    Response, SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, VelocityVerlet, View,
+};
+
+use super::heap::Heap;
+use crate::scene::{CollisionForm, StepperName};
+
+/// Any of the steppers.
+#[expect(clippy::large_enum_variant, reason = "there is one in a run")]
+pub enum AnyStepper<R: Real> {
+    /// `explicit-euler`
+    ExplicitEuler(ExplicitEuler),
+    /// `semi-implicit-euler`
+    SemiImplicitEuler(SemiImplicitEuler),
+    /// `implicit-euler`
+    ImplicitEuler(ImplicitEuler<R, Heap>),
+    /// `implicit-euler-linearised`
+    ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap>),
+    /// `velocity-verlet`
+    VelocityVerlet(VelocityVerlet<R, Heap>),
+    /// `auto`
+    Auto(Auto<R, Heap>),
+}
+
+impl<R: Real> AnyStepper<R> {
+    /// The stepper of that name; the implicit ones solve to `tolerance`.
+    #[must_use]
+    pub fn named(name: StepperName, tolerance: f64) -> Self {
+        match name {
+            StepperName::ExplicitEuler => Self::ExplicitEuler(ExplicitEuler),
+            StepperName::SemiImplicitEuler => Self::SemiImplicitEuler(SemiImplicitEuler),
+            StepperName::ImplicitEuler => Self::ImplicitEuler(ImplicitEuler::new(tolerance)),
+            StepperName::ImplicitEulerLinearised => {
+                Self::ImplicitEulerLinearised(ImplicitEulerLinearised::new(tolerance))
+            }
+            StepperName::VelocityVerlet => Self::VelocityVerlet(VelocityVerlet::new()),
+            StepperName::Auto => Self::Auto(Auto::new(tolerance)),
+        }
+    }
+
+    /// What `auto` chose; nothing for the others, and before its first step.
+    #[must_use]
+    pub fn choice(&self) -> Option<Choice> {
+        match self {
+            Self::Auto(auto) => auto.choice(),
+            _ => None,
+        }
+    }
+}
+
+/// Calls a method of whichever stepper it is.
+macro_rules! each {
+    ($any:expr, $stepper:ident => $call:expr) => {
+        match $any {
+            AnyStepper::ExplicitEuler($stepper) => $call,
+            AnyStepper::SemiImplicitEuler($stepper) => $call,
+            AnyStepper::ImplicitEuler($stepper) => $call,
+            AnyStepper::ImplicitEulerLinearised($stepper) => $call,
+            AnyStepper::VelocityVerlet($stepper) => $call,
+            AnyStepper::Auto($stepper) => $call,
+        }
+    };
+}
+
+impl<R: Real> Stepper<R> for AnyStepper<R> {
+    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
+        each!(self, stepper => Stepper::<R>::fit(stepper, plan))
+    }
+
+    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
+        each!(self, stepper => stepper.advance(view, dt))
+    }
+
+    fn curvature(&self) -> R {
+        each!(self, stepper => stepper.curvature())
+    }
+
+    fn fly(&mut self, view: &mut View<'_, R>, from: f64, report: &mut StepReport) -> Option<f64> {
+        each!(self, stepper => stepper.fly(view, from, report))
+    }
+
+    fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
+        each!(self, stepper => stepper.look_ahead(view, time))
+    }
+}
+
+/// Any of the collision responses.
+pub enum AnyResponse<R: Real> {
+    /// `reflect`
+    Reflect(Reflect),
+    /// `project`
+    Project(Project),
+    /// `time-of-impact`
+    TimeOfImpact(TimeOfImpact<R, Heap>),
+}
+
+impl<R: Real> AnyResponse<R> {
+    /// The response of that name.
+    #[must_use]
+    pub fn named(name: CollisionForm) -> Self {
+        match name {
+            CollisionForm::Reflect => Self::Reflect(Reflect),
+            CollisionForm::Project => Self::Project(Project),
+            CollisionForm::TimeOfImpact => Self::TimeOfImpact(TimeOfImpact::new()),
+        }
+    }
+}
+
+impl<R: Real> Response<R> for AnyResponse<R> {
+    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
+        match self {
+            Self::Reflect(response) => Response::<R>::fit(response, plan),
+            Self::Project(response) => Response::<R>::fit(response, plan),
+            Self::TimeOfImpact(response) => response.fit(plan),
+        }
+    }
+
+    fn step(
+        &mut self,
+        view: &mut View<'_, R>,
+        stepper: &mut impl Stepper<R>,
+        dt: R,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError> {
+        match self {
+            Self::Reflect(response) => response.step(view, stepper, dt, observer),
+            Self::Project(response) => response.step(view, stepper, dt, observer),
+            Self::TimeOfImpact(response) => response.step(view, stepper, dt, observer),
+        }
+    }
+}

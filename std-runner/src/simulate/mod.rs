@@ -1,0 +1,19 @@
+//! A model stepped through its duration, frame by frame.
+
+mod build;
+mod heap;
+mod interpolate;
+mod method;
+mod run;
+mod schedule;
+mod summary;
+mod time_step;
+mod tracks;
+
+pub use build::{BuildError, HeapWorld, world};
+pub use heap::{Heap, HeapColumn};
+pub use method::{AnyResponse, AnyStepper};
+pub use run::{Options, Progress, run};
+pub use schedule::Schedule;
+pub use summary::{Ending, Summary};
+pub use time_step::choose_time_step;

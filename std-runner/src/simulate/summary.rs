@@ -1,0 +1,81 @@
+//! What a run tells of itself.
+
+use std::time::Duration;
+
+use hooke::{Balance, Choice, Plan, StabilityBound};
+
+use super::schedule::Schedule;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    /// It reached its duration.
+    Finished,
+    /// It was asked to stop.
+    Interrupted,
+    /// A step would have made a particle's state infinite or NaN.
+    NonFinite {
+        /// The first such particle by number.
+        particle: u32,
+    },
+}
+
+/// What happened in a run.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// How it ended.
+    pub ending: Ending,
+    /// The simulated time that it reached, s.
+    pub time: f64,
+    /// Its steps and frames, as planned.
+    pub schedule: Schedule,
+    /// Steps taken.
+    pub steps: u64,
+    /// Frames made.
+    pub frames: u64,
+    /// What the world needed, and so what was left out.
+    pub plan: Plan,
+    /// The stability bounds at the start.
+    pub bound: Option<StabilityBound>,
+    /// The time step, s; nothing where particles flew from frame to frame.
+    pub time_step: Option<f64>,
+    /// What `auto` chose, each choice that it made in the order in which it made them first.
+    pub choices: Vec<Choice>,
+    /// Time spent stepping, without recording.
+    pub stepping: Duration,
+    /// Time spent recording.
+    pub recording: Duration,
+    /// The energy ledger, if it was kept.
+    pub balance: Option<Balance>,
+    /// Bounces.
+    pub hits: u64,
+    /// Particles that were stopped on planes because their bounces were too many to follow.
+    pub capped: u64,
+    /// The most springs of length 0 in any step.
+    pub degenerate_springs: u32,
+    /// Evaluations of all forces.
+    pub force_evaluations: u64,
+    /// Newton iterations.
+    pub iterations: u64,
+    /// Iterations of the linear solver.
+    pub linear_iterations: u64,
+    /// Steps whose equation was not solved to the tolerance.
+    pub unconverged: u64,
+    /// The largest relative residual of any step.
+    pub residual: f64,
+}
+
+impl Summary {
+    /// Whether the run is what was asked for.
+    #[must_use]
+    pub fn succeeded(&self) -> bool {
+        self.ending == Ending::Finished && self.unconverged == 0
+    }
+
+    /// Time a spring and step, ns; nothing without springs.
+    #[must_use]
+    pub fn nanoseconds_per_spring_step(&self) -> Option<f64> {
+        let spring_steps = f64::from(self.plan.springs) * self.steps as f64;
+        (spring_steps > 0.0).then(|| self.stepping.as_secs_f64() * 1e9 / spring_steps)
+    }
+}

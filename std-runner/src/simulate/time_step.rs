@@ -1,0 +1,44 @@
+//! The time step of a scene that leaves it to the runner.
+
+use hooke::{Plan, StabilityBound};
+
+use crate::scene::{CollisionForm, Settings, StepperName, TimeStep};
+
+/// The part of the largest stable time step that is taken: at the bound itself the stiffest motion is stable but
+/// wrong, and springs that stretch and turn on the way may lower it.
+const PART_OF_BOUND: f64 = 0.5;
+
+/// No step that is chosen is longer than this, s: a slow scene is still to be drawn smoothly.
+const LONGEST: f64 = 0.01;
+
+/// The time step of a run, s; nothing where particles without springs fly exactly from frame to frame.
+#[must_use]
+pub fn choose_time_step(settings: &Settings, plan: &Plan, bound: Option<&StabilityBound>) -> Option<f64> {
+    let flies = settings.stepper == StepperName::Auto && settings.collision == CollisionForm::TimeOfImpact;
+    if flies && plan.attached == 0 {
+        return None;
+    }
+    Some(match settings.time_step {
+        TimeStep::Seconds(seconds) => seconds,
+        TimeStep::Auto => {
+            let longest = LONGEST.min(settings.duration);
+            let limit = bound.map_or(f64::INFINITY, |bound| match settings.stepper {
+                StepperName::Auto | StepperName::VelocityVerlet => bound.velocity_verlet,
+                StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
+                // It has no stable one where anything is undamped: then it is at least to grow slowly.
+                StepperName::ExplicitEuler => bound.explicit_euler.max(0.01 / bound.frequency),
+                StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised => f64::INFINITY,
+            });
+            let part = PART_OF_BOUND * limit;
+            if part < longest { two_digits_below(part) } else { longest }
+        }
+    })
+}
+
+/// The largest number of two digits that is not larger: easier to read, and to write into a scene.
+fn two_digits_below(value: f64) -> f64 {
+    let exponent = value.log10().floor() as i32 - 1;
+    let digits = (value / 10_f64.powi(exponent)).floor().max(10.0);
+    // Read back from text, so that it is the number that its digits name.
+    format!("{digits}e{exponent}").parse().unwrap_or(value)
+}
