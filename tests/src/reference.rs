@@ -24,7 +24,7 @@ pub fn integrate(law: &RightHandSide, start: &Moment, duration: f64, steps: usiz
     unflat(&state)
 }
 
-/// The same with a planes' bounces in it, each located to the last bit of its time;
+/// The same with bounces on `planes`, each located to the last bit of its time;
 /// returns the state at the end and the impacts on the way.
 ///
 /// A step that dips below a plane and comes back within itself is not seen, so steps must be short beside the flights.

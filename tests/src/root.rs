@@ -15,7 +15,7 @@ pub struct Root {
     pub iterations: usize,
 }
 
-/// No root was found by Newton's method, not even by continuation in the time step.
+/// Newton's method found no root.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoRoot;
 
@@ -23,37 +23,66 @@ pub struct NoRoot;
 const TOLERANCE: f64 = 1e-13;
 /// Newton either doubles its digits within a few iterations or wanders.
 const MOST_ITERATIONS: usize = 40;
+/// The continuation starts at the time step halved this often, where every scene is nearly linear.
+const HALVINGS: i32 = 16;
 
 /// x' and v' after one implicit Euler step of `time_step` in s, for up to some 30 particles (the work grows with the cube).
 ///
-/// Newton starts at v. If that fails, the root is followed from small time steps up to the whole one,
-/// which is the branch that the exact solution is on.
+/// The equation can have several roots at large steps: a mass may as well land on the far side of its pin.
+/// This is the one on the branch that starts from x and v at dt = 0, followed up to the whole step.
+/// Where that branch folds back before, there is none.
 ///
 /// # Errors
-/// Neither way converges.
+/// Newton fails on the way, however closely the time steps follow each other.
 pub fn implicit_euler(law: &RightHandSide, start: &Moment, time_step: f64) -> Result<Root, NoRoot> {
     let mut iterations = 0;
-    for stages in [1, 8, 64, 512] {
-        let mut guess = Some(start.velocity.as_flattened().to_vec());
-        for stage in 1..=stages {
-            let dt = time_step * f64::from(stage) / f64::from(stages);
-            let equation = Equation { law, start, dt };
-            guess = guess.and_then(|guess| equation.newton(guess, &mut iterations));
-        }
-        if let Some(velocity) = guess {
+    // How many stages double the time step.
+    for stages in [1, 4, 16] {
+        let factors = (0..=HALVINGS * stages)
+            .rev()
+            .map(|stage| (-f64::from(stage) / f64::from(stages)).exp2());
+        let followed =
+            factors
+                .map(|factor| time_step * factor)
+                .try_fold(Moment::clone(start), |place, dt| {
+                    let equation = Equation { law, start, dt };
+                    // The place that the stage before reached, not its velocity: at large steps that would overshoot.
+                    let guess = equation.velocity_to(&place);
+                    let velocity = equation.newton(guess, &mut iterations)?;
+                    Some(equation.moment(&velocity))
+                });
+        if let Some(moment) = followed {
             let equation = Equation {
                 law,
                 start,
                 dt: time_step,
             };
-            return Ok(Root {
-                residual: largest(&equation.residual(&velocity)),
-                moment: equation.moment(&velocity),
-                iterations,
-            });
+            return Ok(equation.root(moment, iterations));
         }
     }
     Err(NoRoot)
+}
+
+/// The root that Newton reaches from `guess`, whose velocities it starts at: for judging a solver's own answer.
+///
+/// # Errors
+/// It reaches none.
+pub fn implicit_euler_near(
+    law: &RightHandSide,
+    start: &Moment,
+    time_step: f64,
+    guess: &Moment,
+) -> Result<Root, NoRoot> {
+    let equation = Equation {
+        law,
+        start,
+        dt: time_step,
+    };
+    let mut iterations = 0;
+    let velocity = equation
+        .newton(guess.velocity.concat(), &mut iterations)
+        .ok_or(NoRoot)?;
+    Ok(equation.root(equation.moment(&velocity), iterations))
 }
 
 /// v' − v − dt·a(x + dt·v', v') = 0
@@ -75,6 +104,21 @@ impl Equation<'_> {
         Moment {
             position: position.as_chunks().0.to_vec(),
             velocity: velocity.as_chunks().0.to_vec(),
+        }
+    }
+
+    /// The velocities that lead from the start to these positions in dt.
+    fn velocity_to(&self, place: &Moment) -> Vec<f64> {
+        let start = self.start.position.as_flattened();
+        let parts = place.position.as_flattened().iter().zip(start);
+        parts.map(|(to, from)| (to - from) / self.dt).collect()
+    }
+
+    fn root(&self, moment: Moment, iterations: usize) -> Root {
+        Root {
+            residual: largest(&self.residual(moment.velocity.as_flattened())),
+            moment,
+            iterations,
         }
     }
 

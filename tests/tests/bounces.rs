@@ -31,7 +31,8 @@ fn impacts_and_states_agree_with_the_reference() {
         let states =
             measure::position_error(&end, &exact).max(measure::velocity_error(&end, &exact));
         assert!(states < AGREEMENT, "{problem:?}: {states:e}");
-        assert!(!impacts.is_empty(), "{problem:?} has no impact");
+        let listed = problem.impacts.iter().filter(|hit| hit.speed > FAST);
+        assert_eq!(impacts.len(), listed.count(), "{problem:?}");
         for (found, listed) in impacts.iter().zip(&problem.impacts) {
             assert_eq!(
                 (found.particle, found.plane),
@@ -101,14 +102,6 @@ fn compare(scene: &Problem, problem: &Problem) -> (Moment, Moment, Vec<Impact>) 
     }
     let (end, impacts) =
         reference::integrate_bouncing(&law, &scene.model.planes, &start, time, STEPS);
-    assert_eq!(
-        impacts.len(),
-        problem
-            .impacts
-            .iter()
-            .take_while(|hit| hit.time < time)
-            .count()
-    );
     (end, (problem.exact)(time), impacts)
 }
 

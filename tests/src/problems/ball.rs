@@ -47,7 +47,7 @@ impl Ball {
     /// Summed as a geometric series, for w = 0: `t_n` = t₁ (1 + 2e (1 − e^{n−1})/(1 − e)), and all is over at
     /// T = t₁ (1 + e)/(1 − e). Along the slope: s₀ + u₀ t + ½ g sin α t².
     ///
-    /// "It bounces endlessly often in finite time": Goldstein's hard-wall collisions with Newton's restitution.
+    /// All of it follows from a velocity that falls by `g_n` a second and from the geometric series.
     #[must_use]
     pub fn problem(self) -> Problem {
         let pull = self.gravity * self.slope.cos();

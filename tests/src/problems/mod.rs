@@ -138,7 +138,7 @@ impl Debug for Problem {
     }
 }
 
-/// A rotation that leaves no axis near any other: x becomes (0.55, -0.71, 0.43) or so.
+/// A rotation that leaves no axis near any other: x becomes (0.48, −0.57, 0.67), z becomes (−0.27, 0.63, 0.73).
 #[must_use]
 pub fn skew() -> DQuat {
     DQuat::from_scaled_axis(DVec3::new(-0.5, -0.6, -0.9))

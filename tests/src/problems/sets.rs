@@ -68,7 +68,7 @@ pub fn bouncing() -> Vec<Problem> {
         };
         problems.extend([dropped, thrown, inclined].map(Ball::problem));
     }
-    for equilibrium in [0.15, 0.0, -0.2] {
+    for equilibrium in [0.08, 0.0, -0.1] {
         for restitution in [0.0, 0.5, 0.8, 1.0] {
             problems.push(BouncingOscillator::new(equilibrium, restitution).problem());
         }
