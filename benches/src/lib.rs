@@ -1,1 +1,4 @@
 //! The textbook loop that Hooke is measured against, and its scenes.
+
+pub mod textbook;
+pub mod vector;

@@ -1,1 +1,17 @@
-//! Problems with their exact solutions, and one checker for every stepper.
+//! What Hooke is held against: problems with their exact solutions, a reference integrator,
+//! trusted trajectories, and the measures that compare a stepper with them.
+//!
+//! Nothing here knows how Hooke steps.
+// A yardstick that cannot be made is a mistake in a test, and a test says so by stopping.
+#![allow(clippy::expect_used)]
+
+pub mod energy;
+pub mod measure;
+pub mod moment;
+pub mod order;
+pub mod problems;
+pub mod reference;
+pub mod right_hand_side;
+pub mod root;
+pub mod stability;
+pub mod trusted;
