@@ -82,19 +82,12 @@ impl<V: Vector> Textbook<V> {
     ///
     /// # Errors
     /// The first particle that follows keyframes.
-    pub fn new(
-        model: &Model,
-        gravity: [f64; 3],
-        response: Response,
-    ) -> Result<Self, KinematicParticle> {
+    pub fn new(model: &Model, gravity: [f64; 3], response: Response) -> Result<Self, KinematicParticle> {
         let real = V::Real::from_f64;
         let mut particles = Vec::with_capacity(model.particles.len());
         for (number, particle) in model.particles.iter().enumerate() {
             let (velocity, inverse_mass) = match particle.hold {
-                Hold::Free => (
-                    V::from_components(particle.velocity),
-                    real(1.0 / particle.mass),
-                ),
+                Hold::Free => (V::from_components(particle.velocity), real(1.0 / particle.mass)),
                 Hold::Pinned => (V::ZERO, V::Real::ZERO),
                 Hold::Track(_) => return Err(KinematicParticle(number)),
             };
@@ -167,8 +160,7 @@ impl<V: Vector> Textbook<V> {
             }
             let direction = separation * (V::Real::ONE / length);
             let length_rate = (to.velocity - from.velocity).dot(direction);
-            let force = direction
-                * (spring.stiffness * (length - spring.rest_length) + spring.damping * length_rate);
+            let force = direction * (spring.stiffness * (length - spring.rest_length) + spring.damping * length_rate);
             self.particles[i].force += force;
             self.particles[j].force -= force;
         }
@@ -184,8 +176,7 @@ impl<V: Vector> Textbook<V> {
                 let depth = plane.offset - particle.position.dot(plane.normal);
                 let normal_velocity = particle.velocity.dot(plane.normal);
                 if depth > V::Real::ZERO && normal_velocity < V::Real::ZERO {
-                    particle.velocity -=
-                        plane.normal * ((V::Real::ONE + plane.restitution) * normal_velocity);
+                    particle.velocity -= plane.normal * ((V::Real::ONE + plane.restitution) * normal_velocity);
                     if self.response == Response::Project {
                         particle.position += plane.normal * depth;
                     }

@@ -6,13 +6,7 @@ use glam::{DVec3, Vec3, Vec3A};
 
 /// The real numbers that a vector is made of.
 pub trait Scalar:
-    Copy
-    + Debug
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
+    Copy + Debug + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// 0
     const ZERO: Self;
@@ -24,13 +18,7 @@ pub trait Scalar:
 
 /// Three numbers, in glam's own layout: 12 bytes ([`Vec3`]), 16 ([`Vec3A`], four lanes) or 24 ([`DVec3`]).
 pub trait Vector:
-    Copy
-    + Debug
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Self::Real, Output = Self>
-    + AddAssign
-    + SubAssign
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Self::Real, Output = Self> + AddAssign + SubAssign
 {
     /// What its components are.
     type Real: Scalar;

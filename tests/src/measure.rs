@@ -23,16 +23,7 @@ pub fn velocity_error(left: &Moment, right: &Moment) -> f64 {
 
 fn largest_distance(left: &[[f64; 3]], right: &[[f64; 3]]) -> f64 {
     assert_eq!(left.len(), right.len(), "as many particles on both sides");
-    let distances = left
-        .iter()
-        .zip(right)
-        .map(|(a, b)| DVec3::from(*a).distance(DVec3::from(*b)));
+    let distances = left.iter().zip(right).map(|(a, b)| DVec3::from(*a).distance(DVec3::from(*b)));
     // `max` passes over a NaN, and a state that is not a number must not look close.
-    distances.fold(0.0, |largest: f64, distance| {
-        if distance.is_nan() {
-            f64::INFINITY
-        } else {
-            largest.max(distance)
-        }
-    })
+    distances.fold(0.0, |largest: f64, distance| if distance.is_nan() { f64::INFINITY } else { largest.max(distance) })
 }

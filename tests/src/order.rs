@@ -22,30 +22,16 @@ pub struct Order {
 pub fn observed(time_steps: &[f64], error: impl FnMut(f64) -> f64) -> Order {
     assert!(time_steps.len() >= 2, "a slope takes two points");
     let errors: Vec<f64> = time_steps.iter().copied().map(error).collect();
-    let points: Vec<[f64; 2]> = time_steps
-        .iter()
-        .zip(&errors)
-        .map(|(dt, error)| [dt.ln(), error.ln()])
-        .collect();
-    let pairwise = points
-        .windows(2)
-        .map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0]));
-    Order {
-        slope: least_squares_slope(&points),
-        pairwise: pairwise.collect(),
-        time_steps: time_steps.to_vec(),
-        errors,
-    }
+    let points: Vec<[f64; 2]> = time_steps.iter().zip(&errors).map(|(dt, error)| [dt.ln(), error.ln()]).collect();
+    let pairwise = points.windows(2).map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0]));
+    Order { slope: least_squares_slope(&points), pairwise: pairwise.collect(), time_steps: time_steps.to_vec(), errors }
 }
 
 /// Σ (x − x̄)(y − ȳ) / Σ (x − x̄)²
 fn least_squares_slope(points: &[[f64; 2]]) -> f64 {
     let mean = |axis: usize| points.iter().map(|p| p[axis]).sum::<f64>() / points.len() as f64;
     let [x_mean, y_mean] = [mean(0), mean(1)];
-    let covariance: f64 = points
-        .iter()
-        .map(|[x, y]| (x - x_mean) * (y - y_mean))
-        .sum();
+    let covariance: f64 = points.iter().map(|[x, y]| (x - x_mean) * (y - y_mean)).sum();
     let variance: f64 = points.iter().map(|[x, _]| (x - x_mean).powi(2)).sum();
     covariance / variance
 }

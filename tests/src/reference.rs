@@ -55,11 +55,7 @@ pub fn integrate_bouncing(
         let Some((after, particle, plane)) = first else {
             state = advance(law, &state, step);
             // Counting whole steps would drift from the flights' own times, and the last step ends the loop exactly.
-            time = if step < duration / steps as f64 {
-                duration
-            } else {
-                time + step
-            };
+            time = if step < duration / steps as f64 { duration } else { time + step };
             continue;
         };
         state = advance(law, &state, after);
@@ -83,12 +79,7 @@ pub fn integrate_bouncing(
 }
 
 /// When, within the next `step`, a gap closes, if it does.
-fn crossing(
-    law: &RightHandSide,
-    state: &[f64],
-    step: f64,
-    gap: impl Fn(&[f64]) -> f64,
-) -> Option<f64> {
+fn crossing(law: &RightHandSide, state: &[f64], step: f64, gap: impl Fn(&[f64]) -> f64) -> Option<f64> {
     if gap(&advance(law, state, step)) >= 0.0 {
         return None;
     }
@@ -173,11 +164,7 @@ fn derive(law: &RightHandSide, state: &[f64], slope: &mut [f64]) {
     let (position, velocity) = state.split_at(half);
     let (position_rate, velocity_rate) = slope.split_at_mut(half);
     position_rate.copy_from_slice(velocity);
-    law.accelerate(
-        position.as_chunks().0,
-        velocity.as_chunks().0,
-        velocity_rate.as_chunks_mut().0,
-    );
+    law.accelerate(position.as_chunks().0, velocity.as_chunks().0, velocity_rate.as_chunks_mut().0);
 }
 
 fn vector(state: &[f64], number: usize) -> DVec3 {
@@ -185,17 +172,11 @@ fn vector(state: &[f64], number: usize) -> DVec3 {
 }
 
 fn flat(moment: &Moment) -> Vec<f64> {
-    let both = [
-        moment.position.as_flattened(),
-        moment.velocity.as_flattened(),
-    ];
+    let both = [moment.position.as_flattened(), moment.velocity.as_flattened()];
     both.concat()
 }
 
 fn unflat(state: &[f64]) -> Moment {
     let (position, velocity) = state.split_at(state.len() / 2);
-    Moment {
-        position: position.as_chunks().0.to_vec(),
-        velocity: velocity.as_chunks().0.to_vec(),
-    }
+    Moment { position: position.as_chunks().0.to_vec(), velocity: velocity.as_chunks().0.to_vec() }
 }

@@ -39,11 +39,7 @@ impl RightHandSide {
             damping: spring.damping,
             rest_length: spring.rest_length,
         });
-        Self {
-            gravity: gravity.into(),
-            mass: mass.collect(),
-            springs: springs.collect(),
-        }
+        Self { gravity: gravity.into(), mass: mass.collect(), springs: springs.collect() }
     }
 
     /// How many particles it is for.
@@ -63,18 +59,9 @@ impl RightHandSide {
     /// m a = m g + Σ (k (l − `l_rest`) + `k_d` l̇) d̂, d = x_j − x_i, l = |d|, d̂ = d/l, l̇ = (v_j − v_i)·d̂,
     ///
     /// added at i and subtracted at j. A spring of length 0 pulls in no direction; a pinned particle has a = 0.
-    pub fn accelerate(
-        &self,
-        position: &[[f64; 3]],
-        velocity: &[[f64; 3]],
-        acceleration: &mut [[f64; 3]],
-    ) {
+    pub fn accelerate(&self, position: &[[f64; 3]], velocity: &[[f64; 3]], acceleration: &mut [[f64; 3]]) {
         let at = |vectors: &[[f64; 3]], number: usize| DVec3::from(vectors[number]);
-        let mut force: Vec<DVec3> = self
-            .mass
-            .iter()
-            .map(|mass| mass.unwrap_or(0.0) * self.gravity)
-            .collect();
+        let mut force: Vec<DVec3> = self.mass.iter().map(|mass| mass.unwrap_or(0.0) * self.gravity).collect();
         for spring in &self.springs {
             let [i, j] = spring.between;
             let d = at(position, j) - at(position, i);
@@ -84,8 +71,7 @@ impl RightHandSide {
             }
             let direction = d / l;
             let length_rate = (at(velocity, j) - at(velocity, i)).dot(direction);
-            let tension =
-                spring.stiffness * (l - spring.rest_length) + spring.damping * length_rate;
+            let tension = spring.stiffness * (l - spring.rest_length) + spring.damping * length_rate;
             force[i] += tension * direction;
             force[j] -= tension * direction;
         }

@@ -38,25 +38,16 @@ pub fn implicit_euler(law: &RightHandSide, start: &Moment, time_step: f64) -> Re
     let mut iterations = 0;
     // How many stages double the time step.
     for stages in [1, 4, 16] {
-        let factors = (0..=HALVINGS * stages)
-            .rev()
-            .map(|stage| (-f64::from(stage) / f64::from(stages)).exp2());
-        let followed =
-            factors
-                .map(|factor| time_step * factor)
-                .try_fold(Moment::clone(start), |place, dt| {
-                    let equation = Equation { law, start, dt };
-                    // The place that the stage before reached, not its velocity: at large steps that would overshoot.
-                    let guess = equation.velocity_to(&place);
-                    let velocity = equation.newton(guess, &mut iterations)?;
-                    Some(equation.moment(&velocity))
-                });
+        let factors = (0..=HALVINGS * stages).rev().map(|stage| (-f64::from(stage) / f64::from(stages)).exp2());
+        let followed = factors.map(|factor| time_step * factor).try_fold(Moment::clone(start), |place, dt| {
+            let equation = Equation { law, start, dt };
+            // The place that the stage before reached, not its velocity: at large steps that would overshoot.
+            let guess = equation.velocity_to(&place);
+            let velocity = equation.newton(guess, &mut iterations)?;
+            Some(equation.moment(&velocity))
+        });
         if let Some(moment) = followed {
-            let equation = Equation {
-                law,
-                start,
-                dt: time_step,
-            };
+            let equation = Equation { law, start, dt: time_step };
             return Ok(equation.root(moment, iterations));
         }
     }
@@ -73,15 +64,9 @@ pub fn implicit_euler_near(
     time_step: f64,
     guess: &Moment,
 ) -> Result<Root, NoRoot> {
-    let equation = Equation {
-        law,
-        start,
-        dt: time_step,
-    };
+    let equation = Equation { law, start, dt: time_step };
     let mut iterations = 0;
-    let velocity = equation
-        .newton(guess.velocity.concat(), &mut iterations)
-        .ok_or(NoRoot)?;
+    let velocity = equation.newton(guess.velocity.concat(), &mut iterations).ok_or(NoRoot)?;
     Ok(equation.root(equation.moment(&velocity), iterations))
 }
 
@@ -96,15 +81,8 @@ impl Equation<'_> {
     /// The state with velocities v' and positions x + dt·v'.
     fn moment(&self, velocity: &[f64]) -> Moment {
         let start = self.start.position.as_flattened();
-        let position: Vec<f64> = start
-            .iter()
-            .zip(velocity)
-            .map(|(x, v)| x + self.dt * v)
-            .collect();
-        Moment {
-            position: position.as_chunks().0.to_vec(),
-            velocity: velocity.as_chunks().0.to_vec(),
-        }
+        let position: Vec<f64> = start.iter().zip(velocity).map(|(x, v)| x + self.dt * v).collect();
+        Moment { position: position.as_chunks().0.to_vec(), velocity: velocity.as_chunks().0.to_vec() }
     }
 
     /// The velocities that lead from the start to these positions in dt.
@@ -115,23 +93,16 @@ impl Equation<'_> {
     }
 
     fn root(&self, moment: Moment, iterations: usize) -> Root {
-        Root {
-            residual: largest(&self.residual(moment.velocity.as_flattened())),
-            moment,
-            iterations,
-        }
+        Root { residual: largest(&self.residual(moment.velocity.as_flattened())), moment, iterations }
     }
 
     fn residual(&self, velocity: &[f64]) -> Vec<f64> {
         let moment = self.moment(velocity);
         let mut acceleration = vec![[0.0; 3]; moment.position.len()];
-        self.law
-            .accelerate(&moment.position, &moment.velocity, &mut acceleration);
+        self.law.accelerate(&moment.position, &moment.velocity, &mut acceleration);
         let start = self.start.velocity.as_flattened();
         let parts = velocity.iter().zip(start).zip(acceleration.as_flattened());
-        parts
-            .map(|((after, before), a)| after - before - self.dt * a)
-            .collect()
+        parts.map(|((after, before), a)| after - before - self.dt * a).collect()
     }
 
     /// Row by row; central differences, whose error is far below what slows Newton down.
@@ -157,9 +128,7 @@ impl Equation<'_> {
     /// How large velocities, and positions over dt, are: their rounding limits how well v' can be known.
     fn scale(&self, velocity: &[f64]) -> f64 {
         let position = largest(self.moment(velocity).position.as_flattened());
-        largest(velocity)
-            .max(position / self.dt)
-            .max(f64::MIN_POSITIVE)
+        largest(velocity).max(position / self.dt).max(f64::MIN_POSITIVE)
     }
 
     fn newton(&self, mut velocity: Vec<f64>, iterations: &mut usize) -> Option<Vec<f64>> {
@@ -185,8 +154,7 @@ impl Equation<'_> {
 fn solve(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
     let size = right.len();
     for column in 0..size {
-        let pivot = (column..size)
-            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
+        let pivot = (column..size).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
         rows.swap(column, pivot);
         right.swap(column, pivot);
         if rows[column][column] == 0.0 {
@@ -203,9 +171,7 @@ fn solve(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
         }
     }
     for row in (0..size).rev() {
-        let known: f64 = (row + 1..size)
-            .map(|column| rows[row][column] * right[column])
-            .sum();
+        let known: f64 = (row + 1..size).map(|column| rows[row][column] * right[column]).sum();
         right[row] = (right[row] - known) / rows[row][row];
     }
     Some(right)

@@ -68,11 +68,7 @@ pub fn verlet_lagged([x, v, a]: [f64; 3], zeta: f64, h: f64) -> [f64; 3] {
 /// h below which explicit Euler is stable: 2ζ for ζ ≤ 1, else 2(ζ − √(ζ² − 1)), written without the difference.
 #[must_use]
 pub fn explicit_euler_limit(zeta: f64) -> f64 {
-    if zeta <= 1.0 {
-        2.0 * zeta
-    } else {
-        2.0 / (zeta + (zeta * zeta - 1.0).sqrt())
-    }
+    if zeta <= 1.0 { 2.0 * zeta } else { 2.0 / (zeta + (zeta * zeta - 1.0).sqrt()) }
 }
 
 /// h below which semi-implicit Euler is stable: 2(√(1 + ζ²) − ζ), written without the difference.
@@ -93,11 +89,7 @@ pub fn semi_implicit_euler_damping_implicit_limit(zeta: f64) -> f64 {
 /// the first to vanish sends an eigenvalue through −1 or 1.
 #[must_use]
 pub fn verlet_fresh_limit(zeta: f64) -> f64 {
-    if zeta <= 0.5 {
-        2.0 / ((1.0 - 3.0 * zeta * zeta).sqrt() + zeta)
-    } else {
-        1.0 / zeta
-    }
+    if zeta <= 0.5 { 2.0 / ((1.0 - 3.0 * zeta * zeta).sqrt() + zeta) } else { 1.0 / zeta }
 }
 
 /// h below which [`verlet_kept`] is stable: 2(√(1 + 4ζ²) − 2ζ), which is semi-implicit Euler's at twice the damping.
@@ -117,20 +109,13 @@ pub fn spectral_radius(step: Step, zeta: f64, h: f64) -> f64 {
     let mut logarithm = 0.0;
     let mut power = 1.0;
     for _ in 0..40 {
-        let norm = matrix
-            .as_flattened()
-            .iter()
-            .map(|m| m * m)
-            .sum::<f64>()
-            .sqrt();
+        let norm = matrix.as_flattened().iter().map(|m| m * m).sum::<f64>().sqrt();
         if norm == 0.0 {
             return 0.0;
         }
         logarithm += norm.ln() / power;
         let scaled = matrix.map(|row| row.map(|entry| entry / norm));
-        matrix = scaled.map(|row| {
-            std::array::from_fn(|column| (0..3).map(|k| row[k] * scaled[k][column]).sum())
-        });
+        matrix = scaled.map(|row| std::array::from_fn(|column| (0..3).map(|k| row[k] * scaled[k][column]).sum()));
         power *= 2.0;
     }
     logarithm.exp()

@@ -16,9 +16,7 @@ pub struct Trusted {
 /// The path of a file in `tests/reference`, wherever the test runs.
 #[must_use]
 pub fn path(file: &str) -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "reference", file]
-        .iter()
-        .collect()
+    [env!("CARGO_MANIFEST_DIR"), "reference", file].iter().collect()
 }
 
 impl Trusted {
@@ -29,9 +27,7 @@ impl Trusted {
     pub fn read(name: &str) -> io::Result<Self> {
         let mut archive = npyz::npz::NpzArchive::open(path(&format!("{name}.npz")))?;
         let mut array = |name: &str| -> io::Result<(Vec<u64>, Vec<f64>)> {
-            let file = archive
-                .by_name(name)?
-                .ok_or_else(|| wrong("array missing"))?;
+            let file = archive.by_name(name)?.ok_or_else(|| wrong("array missing"))?;
             if file.order() != npyz::Order::C {
                 return Err(wrong("array not in C order"));
             }
@@ -52,10 +48,7 @@ impl Trusted {
             position: position.as_chunks().0.to_vec(),
             velocity: velocity.as_chunks().0.to_vec(),
         });
-        Ok(Self {
-            time,
-            moments: moments.collect(),
-        })
+        Ok(Self { time, moments: moments.collect() })
     }
 }
 

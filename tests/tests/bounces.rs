@@ -28,25 +28,16 @@ fn problems_start_where_their_solution_does() {
 fn impacts_and_states_agree_with_the_reference() {
     for problem in bouncing() {
         let (end, exact, impacts) = compare(&problem, &problem);
-        let states =
-            measure::position_error(&end, &exact).max(measure::velocity_error(&end, &exact));
+        let states = measure::position_error(&end, &exact).max(measure::velocity_error(&end, &exact));
         assert!(states < AGREEMENT, "{problem:?}: {states:e}");
         let listed = problem.impacts.iter().filter(|hit| hit.speed > FAST);
         assert_eq!(impacts.len(), listed.count(), "{problem:?}");
         for (found, listed) in impacts.iter().zip(&problem.impacts) {
-            assert_eq!(
-                (found.particle, found.plane),
-                (listed.particle, listed.plane)
-            );
-            for (left, right) in [
-                (found.time, listed.time),
-                (found.speed, listed.speed),
-                (found.energy_lost, listed.energy_lost),
-            ] {
-                assert!(
-                    (left - right).abs() < AGREEMENT,
-                    "{problem:?}: {found:?}, {listed:?}"
-                );
+            assert_eq!((found.particle, found.plane), (listed.particle, listed.plane));
+            for (left, right) in
+                [(found.time, listed.time), (found.speed, listed.speed), (found.energy_lost, listed.energy_lost)]
+            {
+                assert!((left - right).abs() < AGREEMENT, "{problem:?}: {found:?}, {listed:?}");
             }
         }
     }
@@ -55,10 +46,7 @@ fn impacts_and_states_agree_with_the_reference() {
 #[test]
 fn a_wrong_scene_is_noticed() {
     for problem in bouncing() {
-        let mut wrong = bouncing()
-            .into_iter()
-            .find(|other| other.name == problem.name)
-            .unwrap();
+        let mut wrong = bouncing().into_iter().find(|other| other.name == problem.name).unwrap();
         for spring in &mut wrong.model.springs {
             spring.stiffness *= 1.01;
         }
@@ -74,11 +62,7 @@ fn a_wrong_scene_is_noticed() {
 /// Integrates `scene` to a time halfway between two impacts of `problem` (or after the only one that is compared);
 /// returns what it found, the exact state of `problem`, and the impacts it found.
 fn compare(scene: &Problem, problem: &Problem) -> (Moment, Moment, Vec<Impact>) {
-    let fast = problem
-        .impacts
-        .iter()
-        .take_while(|hit| hit.speed > FAST)
-        .count();
+    let fast = problem.impacts.iter().take_while(|hit| hit.speed > FAST).count();
     let time = match problem.impacts.get(fast) {
         Some(next) => 0.5 * (problem.impacts[fast - 1].time + next.time),
         // Restitution 0 leaves the mass lying there, or to a flight that starts from rest: stop short of that.
@@ -100,8 +84,7 @@ fn compare(scene: &Problem, problem: &Problem) -> (Moment, Moment, Vec<Impact>) 
         let end = reference::integrate(&law, &start, time, STEPS);
         return (end, (problem.exact)(time), impacts);
     }
-    let (end, impacts) =
-        reference::integrate_bouncing(&law, &scene.model.planes, &start, time, STEPS);
+    let (end, impacts) = reference::integrate_bouncing(&law, &scene.model.planes, &start, time, STEPS);
     (end, (problem.exact)(time), impacts)
 }
 
@@ -123,10 +106,7 @@ fn impacts_reverse_the_normal_velocity_and_keep_the_rest() {
             let gap = normal.dot(before[0] - DVec3::from(plane.point));
             assert!(gap.abs() < 3e-8, "{problem:?}: {gap:e}");
             let turned = before[1] + (1.0 + plane.restitution) * impact.speed * normal;
-            assert!(
-                (turned - after[1]).length() < 3e-7,
-                "{problem:?}: {impact:?}"
-            );
+            assert!((turned - after[1]).length() < 3e-7, "{problem:?}: {impact:?}");
         }
     }
 }
@@ -167,10 +147,7 @@ fn energy_changes_at_impacts_only() {
         for number in 0..50 {
             let time = problem.duration * f64::from(number) / 50.0;
             // Energies are a few joules, rounded at 1e-16 in positions and speeds.
-            assert!(
-                problem.lost_to_damping(time).abs() < 1e-12,
-                "{problem:?} at {time}"
-            );
+            assert!(problem.lost_to_damping(time).abs() < 1e-12, "{problem:?} at {time}");
         }
     }
 }
@@ -178,11 +155,7 @@ fn energy_changes_at_impacts_only() {
 #[test]
 fn dropped_ball_follows_the_geometric_series() {
     for restitution in [0.0, 0.5, 0.8, 0.95] {
-        let ball = Ball {
-            restitution,
-            duration: 20.0,
-            ..Ball::default()
-        };
+        let ball = Ball { restitution, duration: 20.0, ..Ball::default() };
         let problem = ball.problem();
         // A sum of up to 500 flights against the closed sum: rounding.
         assert!((problem.rest.unwrap() - ball.end_of_bouncing()).abs() < 1e-12);

@@ -39,8 +39,8 @@ fn the_reference_is_converged() {
     for problem in smooth() {
         let law = RightHandSide::new(&problem.model, problem.gravity);
         let start = Moment::start(&problem.model);
-        let [coarse, fine] = [STEPS, 2 * STEPS]
-            .map(|steps| reference::integrate(&law, &start, problem.duration, steps));
+        let [coarse, fine] =
+            [STEPS, 2 * STEPS].map(|steps| reference::integrate(&law, &start, problem.duration, steps));
         let change = measure::position_error(&coarse, &fine);
         assert!(change < AGREEMENT, "{problem:?}: {change:e}");
     }
@@ -75,10 +75,7 @@ fn energy_is_kept_or_goes_into_damping() {
         let spent = dissipated(&problem);
         let lost = problem.lost_to_damping(problem.duration);
         // Simpson's rule with 3,000 intervals a period errs by some 1e-12 of the energy; energies are joules.
-        assert!(
-            (lost - spent).abs() < 1e-10,
-            "{problem:?}: {lost:e}, {spent:e}"
-        );
+        assert!((lost - spent).abs() < 1e-10, "{problem:?}: {lost:e}, {spent:e}");
     }
 }
 
@@ -90,9 +87,7 @@ fn dissipated(problem: &Problem) -> f64 {
         let moment = (problem.exact)(f64::from(number) * width);
         energy::damping_power(&problem.model, &moment)
     };
-    let inner: f64 = (1..intervals)
-        .map(|number| f64::from(2 + 2 * (number % 2)) * power(number))
-        .sum();
+    let inner: f64 = (1..intervals).map(|number| f64::from(2 + 2 * (number % 2)) * power(number)).sum();
     width / 3.0 * (power(0) + inner + power(intervals))
 }
 

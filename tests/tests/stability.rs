@@ -13,53 +13,29 @@ const DAMPING_RATIOS: [f64; 8] = [0.05, 0.1, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0];
 #[test]
 fn closed_forms_are_where_the_amplification_matrix_crosses_the_unit_circle() {
     let pairs: [(&str, Step, Limit); 5] = [
-        (
-            "explicit Euler",
-            stability::explicit_euler,
-            stability::explicit_euler_limit,
-        ),
-        (
-            "semi-implicit Euler",
-            stability::semi_implicit_euler,
-            stability::semi_implicit_euler_limit,
-        ),
+        ("explicit Euler", stability::explicit_euler, stability::explicit_euler_limit),
+        ("semi-implicit Euler", stability::semi_implicit_euler, stability::semi_implicit_euler_limit),
         (
             "semi-implicit Euler, damping implicit",
             stability::semi_implicit_euler_damping_implicit,
             stability::semi_implicit_euler_damping_implicit_limit,
         ),
-        (
-            "Verlet, fresh acceleration",
-            stability::verlet_fresh,
-            stability::verlet_fresh_limit,
-        ),
-        (
-            "Verlet, kept acceleration",
-            stability::verlet_kept,
-            stability::verlet_kept_limit,
-        ),
+        ("Verlet, fresh acceleration", stability::verlet_fresh, stability::verlet_fresh_limit),
+        ("Verlet, kept acceleration", stability::verlet_kept, stability::verlet_kept_limit),
     ];
     for (name, step, closed) in pairs {
         for zeta in DAMPING_RATIOS {
             let found = stability::limit(step, zeta, 13.0).unwrap();
             // Growth is told from rounding at 1e-9; the slope of the spectral radius at the limit is about ζ or more.
             let error = (found - closed(zeta)).abs();
-            assert!(
-                error < 1e-7,
-                "{name}, {zeta}: {found}, not {}",
-                closed(zeta)
-            );
+            assert!(error < 1e-7, "{name}, {zeta}: {found}, not {}", closed(zeta));
         }
     }
 }
 
 #[test]
 fn without_damping_the_limit_is_two_and_explicit_euler_has_none() {
-    for step in [
-        stability::semi_implicit_euler,
-        stability::verlet_fresh,
-        stability::verlet_kept,
-    ] {
+    for step in [stability::semi_implicit_euler, stability::verlet_fresh, stability::verlet_kept] {
         // Two eigenvalues meet at −1, and a double eigenvalue moves by the root of a perturbation: √1e-15.
         assert!((stability::limit(step, 0.0, 3.0).unwrap() - 2.0).abs() < 1e-7);
     }
@@ -71,10 +47,7 @@ fn without_damping_the_limit_is_two_and_explicit_euler_has_none() {
 #[test]
 fn implicit_euler_has_no_limit() {
     for zeta in [0.0, 0.1, 1.0, 3.0] {
-        assert_eq!(
-            stability::limit(stability::implicit_euler, zeta, 13.0),
-            None
-        );
+        assert_eq!(stability::limit(stability::implicit_euler, zeta, 13.0), None);
     }
     // The magnitude of a complex pair is 1/√(1 + 2ζh + h²).
     let radius = stability::spectral_radius(stability::implicit_euler, 0.1, 2.0);
@@ -112,9 +85,7 @@ fn verlet_keeps_order_two_with_a_kept_acceleration_and_loses_it_with_a_lagging_v
 
 fn damped_order(step: Step, zeta: f64) -> order::Order {
     let (x0, v0, duration) = (1.0, 0.5, 4.0);
-    let time_steps: Vec<f64> = (0..6)
-        .map(|halvings| 0.1 / f64::from(1 << halvings))
-        .collect();
+    let time_steps: Vec<f64> = (0..6).map(|halvings| 0.1 / f64::from(1 << halvings)).collect();
     let exact = harmonic::motion(1.0, zeta, x0, v0, duration);
     order::observed(&time_steps, |h| {
         let mut state = [x0, v0, -x0 - 2.0 * zeta * v0];

@@ -11,10 +11,7 @@ use hooke_tests::{measure, moment::Moment, order};
 
 type Step = fn(&mut Textbook<DVec3>, f64);
 
-const STEPS: [Step; 2] = [
-    Textbook::step_explicit_euler,
-    Textbook::step_semi_implicit_euler,
-];
+const STEPS: [Step; 2] = [Textbook::step_explicit_euler, Textbook::step_semi_implicit_euler];
 
 #[test]
 fn a_step_is_the_formula() {
@@ -28,8 +25,8 @@ fn a_step_is_the_formula() {
             let mut textbook = build(&problem, Response::Reflect);
             step(&mut textbook, dt);
             for (number, particle) in textbook.particles.iter().enumerate() {
-                let [x, v, a] = [&start.position, &start.velocity, &acceleration]
-                    .map(|vectors| DVec3::from(vectors[number]));
+                let [x, v, a] =
+                    [&start.position, &start.velocity, &acceleration].map(|vectors| DVec3::from(vectors[number]));
                 let velocity = v + dt * a;
                 let position = x + dt * if new_velocity { velocity } else { v };
                 // Rounding of numbers of size 10.
@@ -42,10 +39,7 @@ fn a_step_is_the_formula() {
 
 #[test]
 fn both_eulers_are_of_order_one() {
-    let oscillator = Oscillator {
-        damping_ratio: 0.2,
-        ..Oscillator::default()
-    };
+    let oscillator = Oscillator { damping_ratio: 0.2, ..Oscillator::default() };
     let problem = oscillator.problem();
     let duration = 0.4;
     for step in STEPS {
@@ -112,29 +106,14 @@ fn a_particle_that_leaves_a_plane_is_not_hit() {
 
 #[test]
 fn pins_stay_and_springs_of_no_length_do_not_pull() {
-    let particle = |hold| ModelParticle {
-        position: [0.1, 0.2, -0.3],
-        velocity: [0.0, 0.0, -1.0],
-        mass: 2.0,
-        hold,
-    };
+    let particle = |hold| ModelParticle { position: [0.1, 0.2, -0.3], velocity: [0.0, 0.0, -1.0], mass: 2.0, hold };
     let model = Model {
         particles: vec![particle(Hold::Pinned), particle(Hold::Free)],
-        springs: vec![ModelSpring {
-            between: [0, 1],
-            stiffness: 10.0,
-            damping: 1.0,
-            rest_length: 0.5,
-        }],
-        planes: vec![ModelPlane {
-            point: [0.0; 3],
-            normal: [0.0, 0.0, 1.0],
-            restitution: 0.5,
-        }],
+        springs: vec![ModelSpring { between: [0, 1], stiffness: 10.0, damping: 1.0, rest_length: 0.5 }],
+        planes: vec![ModelPlane { point: [0.0; 3], normal: [0.0, 0.0, 1.0], restitution: 0.5 }],
         ..Model::default()
     };
-    let mut textbook =
-        Textbook::<DVec3>::new(&model, [0.0, 0.0, -10.0], Response::Project).unwrap();
+    let mut textbook = Textbook::<DVec3>::new(&model, [0.0, 0.0, -10.0], Response::Project).unwrap();
     textbook.step_semi_implicit_euler(0.1);
     let [pin, mass] = [0, 1].map(|number| textbook.particles[number]);
     assert_eq!(pin.position.to_array(), [0.1, 0.2, -0.3]);

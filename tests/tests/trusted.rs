@@ -34,10 +34,7 @@ fn rope_misses_the_trusted_one_by_what_it_must() {
 /// The step's error is the same 5 mm and 7 mm in f32: rounding adds 1e-7 × 1,000 steps × the 156-fold growth, at worst.
 #[test]
 fn single_precision_misses_by_about_the_same() {
-    for (model, name, expected) in [
-        (cloth(), "cloth-32", CLOTH_ERROR),
-        (rope(), "rope-100", ROPE_ERROR),
-    ] {
+    for (model, name, expected) in [(cloth(), "cloth-32", CLOTH_ERROR), (rope(), "rope-100", ROPE_ERROR)] {
         let narrow = error_at_one_second::<Vec3>(&model, name);
         let wide = error_at_one_second::<Vec3A>(&model, name);
         for error in [narrow, wide] {
@@ -54,10 +51,7 @@ fn error_at_one_second<V: Vector>(model: &Model, name: &str) -> f64 {
     }
     let mut moment = Moment::default();
     for particle in &textbook.particles {
-        moment = moment.with(
-            particle.position.components(),
-            particle.velocity.components(),
-        );
+        moment = moment.with(particle.position.components(), particle.velocity.components());
     }
     let trusted = Trusted::read(name).unwrap();
     assert_eq!(trusted.time, [0.25, 0.5, 1.0]);
@@ -95,20 +89,11 @@ fn cloth() -> Model {
                 let Some(to) = u.checked_add_signed(du).filter(|to| *to < n) else {
                     continue;
                 };
-                springs.push(spring(
-                    &particles,
-                    [v * n + u, (v + dv) * n + to],
-                    100.0,
-                    0.05,
-                ));
+                springs.push(spring(&particles, [v * n + u, (v + dv) * n + to], 100.0, 0.05));
             }
         }
     }
-    Model {
-        particles,
-        springs,
-        ..Model::default()
-    }
+    Model { particles, springs, ..Model::default() }
 }
 
 /// 100 particles, a centimetre apart, the first one pinned.
@@ -116,33 +101,14 @@ fn rope() -> Model {
     let particles = (0..100).map(|i| particle([0.99 * f64::from(i) / 99.0, 0.0, 0.0], i == 0));
     let particles: Vec<ModelParticle> = particles.collect();
     let springs = (1..100).map(|j| spring(&particles, [j - 1, j], 1000.0, 0.1));
-    Model {
-        springs: springs.collect(),
-        particles,
-        ..Model::default()
-    }
+    Model { springs: springs.collect(), particles, ..Model::default() }
 }
 
 fn particle(position: [f64; 3], pinned: bool) -> ModelParticle {
-    ModelParticle {
-        position,
-        velocity: [0.0; 3],
-        mass: 0.01,
-        hold: if pinned { Hold::Pinned } else { Hold::Free },
-    }
+    ModelParticle { position, velocity: [0.0; 3], mass: 0.01, hold: if pinned { Hold::Pinned } else { Hold::Free } }
 }
 
-fn spring(
-    particles: &[ModelParticle],
-    between: [usize; 2],
-    stiffness: f64,
-    damping: f64,
-) -> ModelSpring {
+fn spring(particles: &[ModelParticle], between: [usize; 2], stiffness: f64, damping: f64) -> ModelSpring {
     let [from, to] = between.map(|number| DVec3::from(particles[number].position));
-    ModelSpring {
-        between: between.map(|number| number as u32),
-        stiffness,
-        damping,
-        rest_length: from.distance(to),
-    }
+    ModelSpring { between: between.map(|number| number as u32), stiffness, damping, rest_length: from.distance(to) }
 }

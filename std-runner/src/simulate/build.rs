@@ -70,7 +70,7 @@ fn add_spring<R: Real>(world: &mut HeapWorld<R>, spring: &ModelSpring) -> Result
 
 fn add_plane<R: Real>(world: &mut HeapWorld<R>, plane: &ModelPlane) -> Result<u32, AddPlaneError<R>> {
     let restitution = R::from_f64(plane.restitution);
-    let plane = Plane::through(vector::<R>(plane.point), vector::<R>(plane.normal), restitution)?;
+    let plane = Plane::<R>::through(vector::<R>(plane.point), vector::<R>(plane.normal), restitution)?;
     world.add_plane(plane)
 }
 

@@ -27,15 +27,7 @@ pub struct Ball {
 impl Default for Ball {
     /// Let go a metre above a level floor.
     fn default() -> Self {
-        Self {
-            mass: 0.2,
-            gravity: 9.81,
-            slope: 0.0,
-            height: 1.0,
-            velocity: [0.0; 3],
-            restitution: 0.8,
-            duration: 3.0,
-        }
+        Self { mass: 0.2, gravity: 9.81, slope: 0.0, height: 1.0, velocity: [0.0; 3], restitution: 0.8, duration: 3.0 }
     }
 }
 
@@ -54,22 +46,16 @@ impl Ball {
         let slide = self.gravity * self.slope.sin();
         let [along, across, normal] = self.velocity;
         let first = normal.hypot((2.0 * pull * self.height).sqrt());
-        let bounces = Bounces::new(
-            self.restitution,
-            [(normal + first) / pull, first],
-            self.duration,
-            true,
-            |speed| 2.0 * speed / pull,
-        );
+        let bounces = Bounces::new(self.restitution, [(normal + first) / pull, first], self.duration, true, |speed| {
+            2.0 * speed / pull
+        });
         let model = Model {
             particles: vec![build::free(self.mass)],
             planes: vec![build::floor(self.restitution)],
             ..Model::default()
         };
-        let name = format!(
-            "ball, restitution {}, slope {}, velocity {:?}",
-            self.restitution, self.slope, self.velocity
-        );
+        let name =
+            format!("ball, restitution {}, slope {}, velocity {:?}", self.restitution, self.slope, self.velocity);
         let impacts = bounces.impacts(0, self.mass);
         let rest = bounces.rest();
         let gravity = [slide, 0.0, -pull];

@@ -61,11 +61,7 @@ impl Bounces {
             }
             rest = Some(next.time);
         }
-        Self {
-            restitution,
-            arrivals,
-            rest,
-        }
+        Self { restitution, arrivals, rest }
     }
 
     /// When it comes to rest, s.
@@ -78,15 +74,10 @@ impl Bounces {
         if self.rest.is_some_and(|rest| time >= rest) {
             return Phase::Rest;
         }
-        let before = self
-            .arrivals
-            .partition_point(|arrival| arrival.time <= time);
+        let before = self.arrivals.partition_point(|arrival| arrival.time <= time);
         match before.checked_sub(1).map(|last| self.arrivals[last]) {
             None => Phase::Approach,
-            Some(arrival) => Phase::Flight {
-                since: time - arrival.time,
-                speed: self.restitution * arrival.speed,
-            },
+            Some(arrival) => Phase::Flight { since: time - arrival.time, speed: self.restitution * arrival.speed },
         }
     }
 

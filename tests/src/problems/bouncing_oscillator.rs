@@ -75,23 +75,14 @@ impl BouncingOscillator {
         let speed = omega * ((amplitude - level) * (amplitude + level)).sqrt();
         let flight = move |speed: f64| 2.0 * speed.atan2(-omega * level) / omega;
         let duration = 6.0 * TAU / omega;
-        let bounces = Bounces::new(
-            self.restitution,
-            [arrival, speed],
-            duration,
-            level < 0.0,
-            flight,
-        );
+        let bounces = Bounces::new(self.restitution, [arrival, speed], duration, level < 0.0, flight);
         let model = Model {
             particles: vec![build::pinned(), build::free(self.mass)],
             springs: vec![build::spring([0, 1], self.stiffness, 0.0, self.rest_length)],
             planes: vec![build::floor(self.restitution)],
             ..Model::default()
         };
-        let name = format!(
-            "bouncing oscillator, equilibrium {level}, restitution {}",
-            self.restitution
-        );
+        let name = format!("bouncing oscillator, equilibrium {level}, restitution {}", self.restitution);
         let (impacts, rest) = (bounces.impacts(1, self.mass), bounces.rest());
         let gravity = [0.0, 0.0, -self.gravity];
         let pin = [0.0, 0.0, level + sag + self.rest_length];
@@ -105,9 +96,7 @@ impl BouncingOscillator {
                 Phase::Flight { since, speed } => swing(-level, speed, since),
                 Phase::Rest => (0.0, 0.0),
             };
-            Moment::default()
-                .with(pin, [0.0; 3])
-                .with([0.0, 0.0, z], [0.0, 0.0, w])
+            Moment::default().with(pin, [0.0; 3]).with([0.0, 0.0, z], [0.0, 0.0, w])
         });
         problem.impacts = impacts;
         problem.rest = rest;

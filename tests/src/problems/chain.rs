@@ -104,29 +104,17 @@ impl Chain {
         if self.ends == Ends::FixedFixed {
             particles.push(build::pinned());
         }
-        let springs = (1..particles.len())
-            .map(|j| build::spring([j - 1, j], self.stiffness, self.damping, self.rest_length));
+        let springs =
+            (1..particles.len()).map(|j| build::spring([j - 1, j], self.stiffness, self.damping, self.rest_length));
         // Particle 0 is mass 1 where there is no pin before it.
         let first = usize::from(self.ends == Ends::FreeFree);
         let places = first..first + particles.len();
-        let model = Model {
-            springs: springs.collect(),
-            particles,
-            ..Model::default()
-        };
-        let name = format!(
-            "chain of {}, {:?}, mode {}, damping {}",
-            self.masses, self.ends, self.mode, self.damping
-        );
+        let model = Model { springs: springs.collect(), particles, ..Model::default() };
+        let name = format!("chain of {}, {:?}, mode {}, damping {}", self.masses, self.ends, self.mode, self.damping);
         let duration = 3.0 * TAU / self.frequency();
         Problem::new(name, model, [0.0; 3], duration, move |time| {
-            let (x, v) = harmonic::motion(
-                self.frequency(),
-                self.damping_ratio(),
-                self.displacement,
-                self.velocity,
-                time,
-            );
+            let (x, v) =
+                harmonic::motion(self.frequency(), self.damping_ratio(), self.displacement, self.velocity, time);
             places.clone().fold(Moment::default(), |moment, i| {
                 let pin = i == 0 || i > self.masses;
                 let shape = if pin { 0.0 } else { self.shape(i) };

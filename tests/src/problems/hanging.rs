@@ -26,14 +26,7 @@ pub struct Hanging {
 
 impl Default for Hanging {
     fn default() -> Self {
-        Self {
-            masses: 8,
-            mass: 0.05,
-            stiffness: 60.0,
-            damping: 0.0,
-            rest_length: 0.1,
-            gravity: 9.81,
-        }
+        Self { masses: 8, mass: 0.05, stiffness: 60.0, damping: 0.0, rest_length: 0.1, gravity: 9.81 }
     }
 }
 
@@ -113,13 +106,9 @@ impl Hanging {
         if pins == 2 {
             particles[places.len() - 1] = build::pinned();
         }
-        let springs = (1..places.len())
-            .map(|j| build::spring([j - 1, j], self.stiffness, self.damping, self.rest_length));
-        let model = Model {
-            springs: springs.collect(),
-            particles,
-            ..Model::default()
-        };
+        let springs =
+            (1..places.len()).map(|j| build::spring([j - 1, j], self.stiffness, self.damping, self.rest_length));
+        let model = Model { springs: springs.collect(), particles, ..Model::default() };
         let gravity = [0.0, 0.0, -self.gravity];
         Problem::new(name, model, gravity, 1.0, move |_| Moment {
             position: places.iter().map(DVec3::to_array).collect(),

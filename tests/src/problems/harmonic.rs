@@ -22,10 +22,7 @@ pub fn motion(omega: f64, zeta: f64, x0: f64, v0: f64, time: f64) -> (f64, f64) 
     } else if zeta == 1.0 {
         let decay = (-omega * time).exp();
         let slope = v0 + omega * x0;
-        (
-            decay * (x0 + slope * time),
-            decay * (v0 - omega * slope * time),
-        )
+        (decay * (x0 + slope * time), decay * (v0 - omega * slope * time))
     } else {
         let sum = zeta + (zeta * zeta - 1.0).sqrt();
         let (slow, fast) = (-omega / sum, -omega * sum);

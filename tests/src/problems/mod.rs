@@ -77,15 +77,7 @@ impl Problem {
             particle.position = start.position[number];
             particle.velocity = start.velocity[number];
         }
-        Self {
-            name: name.into(),
-            model,
-            gravity,
-            duration,
-            exact: Box::new(exact),
-            impacts: Vec::new(),
-            rest: None,
-        }
+        Self { name: name.into(), model, gravity, duration, exact: Box::new(exact), impacts: Vec::new(), rest: None }
     }
 
     /// The same scene in axes turned about the origin: gravity, planes, particles and the solution alike.

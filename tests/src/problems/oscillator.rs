@@ -58,38 +58,16 @@ impl Oscillator {
     pub fn problem(self) -> Problem {
         let model = Model {
             particles: vec![build::pinned(), build::free(self.mass)],
-            springs: vec![build::spring(
-                [0, 1],
-                self.stiffness,
-                self.damping(),
-                self.rest_length,
-            )],
+            springs: vec![build::spring([0, 1], self.stiffness, self.damping(), self.rest_length)],
             ..Model::default()
         };
         let equilibrium = self.rest_length + self.mass * self.gravity / self.stiffness;
-        let name = format!(
-            "oscillator, damping ratio {}, gravity {}",
-            self.damping_ratio, self.gravity
-        );
+        let name = format!("oscillator, damping ratio {}, gravity {}", self.damping_ratio, self.gravity);
         let duration = 3.0 * std::f64::consts::TAU / self.frequency();
-        Problem::new(
-            name,
-            model,
-            [self.gravity, 0.0, 0.0],
-            duration,
-            move |time| {
-                let (x, v) = harmonic::motion(
-                    self.frequency(),
-                    self.damping_ratio,
-                    self.displacement,
-                    self.velocity,
-                    time,
-                );
-                Moment::default()
-                    .with([0.0; 3], [0.0; 3])
-                    .with([equilibrium + x, 0.0, 0.0], [v, 0.0, 0.0])
-            },
-        )
+        Problem::new(name, model, [self.gravity, 0.0, 0.0], duration, move |time| {
+            let (x, v) = harmonic::motion(self.frequency(), self.damping_ratio, self.displacement, self.velocity, time);
+            Moment::default().with([0.0; 3], [0.0; 3]).with([equilibrium + x, 0.0, 0.0], [v, 0.0, 0.0])
+        })
         .turned(skew())
     }
 }

@@ -9,16 +9,8 @@ use hooke_runner::model::Model;
 ///
 /// Position in m, velocity in m/s, gravity in m/s², duration in s.
 #[must_use]
-pub fn projectile(
-    position: [f64; 3],
-    velocity: [f64; 3],
-    gravity: [f64; 3],
-    duration: f64,
-) -> Problem {
-    let model = Model {
-        particles: vec![build::free(0.3)],
-        ..Model::default()
-    };
+pub fn projectile(position: [f64; 3], velocity: [f64; 3], gravity: [f64; 3], duration: f64) -> Problem {
+    let model = Model { particles: vec![build::free(0.3)], ..Model::default() };
     Problem::new("projectile", model, gravity, duration, move |time| {
         let (x, v) = flight(position, velocity, gravity, time);
         Moment::default().with(x, v)

@@ -13,10 +13,7 @@ use super::two_bodies::TwoBodies;
 #[must_use]
 pub fn smooth() -> Vec<Problem> {
     let bodies = TwoBodies::default();
-    let damped_bodies = TwoBodies {
-        damping: 1.7,
-        ..bodies
-    };
+    let damped_bodies = TwoBodies { damping: 1.7, ..bodies };
     let mut problems = vec![
         projectile([1.0, -2.0, 0.5], [3.0, 1.5, 4.0], [0.3, -0.8, -9.81], 2.0),
         bodies.radial(0.2, -0.9),
@@ -27,18 +24,11 @@ pub fn smooth() -> Vec<Problem> {
         Hanging::default().slung(0.8),
     ];
     for damping_ratio in [0.0, 0.1, 0.5, 1.0, 2.5] {
-        let oscillator = Oscillator {
-            damping_ratio,
-            ..Oscillator::default()
-        };
+        let oscillator = Oscillator { damping_ratio, ..Oscillator::default() };
         problems.push(oscillator.problem());
     }
     for damping_ratio in [0.0, 0.2] {
-        let vertical = Oscillator {
-            damping_ratio,
-            gravity: 9.81,
-            ..Oscillator::default()
-        };
+        let vertical = Oscillator { damping_ratio, gravity: 9.81, ..Oscillator::default() };
         problems.push(vertical.problem());
     }
     for ends in [Ends::FixedFixed, Ends::FixedFree, Ends::FreeFree] {
@@ -54,18 +44,9 @@ pub fn smooth() -> Vec<Problem> {
 pub fn bouncing() -> Vec<Problem> {
     let mut problems = Vec::new();
     for restitution in [0.0, 0.5, 0.8, 1.0] {
-        let dropped = Ball {
-            restitution,
-            ..Ball::default()
-        };
-        let thrown = Ball {
-            velocity: [1.3, -0.7, 2.0],
-            ..dropped
-        };
-        let inclined = Ball {
-            slope: 0.4,
-            ..thrown
-        };
+        let dropped = Ball { restitution, ..Ball::default() };
+        let thrown = Ball { velocity: [1.3, -0.7, 2.0], ..dropped };
+        let inclined = Ball { slope: 0.4, ..thrown };
         problems.extend([dropped, thrown, inclined].map(Ball::problem));
     }
     for equilibrium in [0.08, 0.0, -0.1] {

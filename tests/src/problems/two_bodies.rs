@@ -103,37 +103,21 @@ impl TwoBodies {
     /// The rest length is taken as 0 and the damping too: damping along d̂ alone would not be linear.
     #[must_use]
     pub fn harmonic(self, separation: [f64; 3], rate: [f64; 3]) -> Problem {
-        let bodies = Self {
-            rest_length: 0.0,
-            damping: 0.0,
-            ..self
-        };
+        let bodies = Self { rest_length: 0.0, damping: 0.0, ..self };
         let (r0, v0) = (DVec3::from(separation), DVec3::from(rate));
         let omega = bodies.frequency();
         bodies.problem("two bodies, rest length 0".into(), move |time| {
             let (sine, cosine) = (omega * time).sin_cos();
-            (
-                r0 * cosine + v0 / omega * sine,
-                v0 * cosine - r0 * omega * sine,
-            )
+            (r0 * cosine + v0 / omega * sine, v0 * cosine - r0 * omega * sine)
         })
     }
 
     /// Puts the two bodies about their ballistic centre of mass; watched for three periods 2π/√(k/μ).
-    fn problem(
-        self,
-        name: String,
-        relative: impl Fn(f64) -> (DVec3, DVec3) + Send + Sync + 'static,
-    ) -> Problem {
+    fn problem(self, name: String, relative: impl Fn(f64) -> (DVec3, DVec3) + Send + Sync + 'static) -> Problem {
         let [m0, m1] = self.masses;
         let model = Model {
             particles: vec![build::free(m0), build::free(m1)],
-            springs: vec![build::spring(
-                [0, 1],
-                self.stiffness,
-                self.damping,
-                self.rest_length,
-            )],
+            springs: vec![build::spring([0, 1], self.stiffness, self.damping, self.rest_length)],
             ..Model::default()
         };
         let duration = 3.0 * TAU / self.frequency();
@@ -142,10 +126,7 @@ impl TwoBodies {
             let (r, v) = relative(time);
             let [back, ahead] = [-m1 / (m0 + m1), m0 / (m0 + m1)];
             let body = |moment: Moment, part: f64| {
-                moment.with(
-                    (DVec3::from(place) + part * r).to_array(),
-                    (DVec3::from(drift) + part * v).to_array(),
-                )
+                moment.with((DVec3::from(place) + part * r).to_array(), (DVec3::from(drift) + part * v).to_array())
             };
             body(body(Moment::default(), back), ahead)
         })
