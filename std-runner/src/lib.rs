@@ -1,4 +1,5 @@
 //! Runs Hooke's scenes from the desktop.
 
+pub mod draw;
 pub mod model;
 pub mod record;

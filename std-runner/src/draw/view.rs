@@ -1,0 +1,291 @@
+//! Choosing where a scene is seen from.
+
+use glam::DVec3;
+
+use super::camera::Camera;
+use super::floor::Plane;
+use crate::model::CameraChoice;
+
+/// Degrees from top to bottom, where it is free to choose: little distortion, yet clear depth.
+const FIELD_OF_VIEW: f64 = 35.0;
+
+/// A camera, and how it keeps things in the picture.
+#[derive(Clone, Debug)]
+pub(super) struct View {
+    camera: Camera,
+    frame: Frame,
+    /// From the eye to the middle of things, m.
+    distance: f64,
+    /// Whether it may be moved back: not if the user said where it is.
+    may_move: bool,
+    /// How far back it is now, and how far it is going, m.
+    pulled: f64,
+    goal: f64,
+}
+
+/// The part of the picture meant for things: tangents to the side, up and down.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    side: f64,
+    top: f64,
+    bottom: f64,
+}
+
+impl Frame {
+    fn of(camera: &Camera) -> Self {
+        let [across, along] = camera.slopes();
+        let [width, height] = camera.size().map(f64::from);
+        // Text stands above and below; a tiny picture has none and needs no room for it.
+        let line = (height / 480.0).clamp(0.75, 4.0) * 44.0;
+        Self {
+            side: across * (1.0 - (24.0 / width).min(0.2)),
+            top: along * (1.0 - (2.0 * line / height).min(0.3)),
+            bottom: along * (1.0 - (2.0 * line / height).min(0.3)),
+        }
+    }
+
+    /// How far ahead of the eye a ball must at least be to be inside, given where it is across.
+    fn depth(&self, [x, y, _]: [f64; 3], radius: f64) -> f64 {
+        let aside = (x.abs() + radius * (1.0 + self.side * self.side).sqrt()) / self.side;
+        let upright = if y > 0.0 { self.top } else { self.bottom };
+        aside.max((y.abs() + radius * (1.0 + upright * upright).sqrt()) / upright)
+    }
+}
+
+impl View {
+    /// A view of these points, each with a ball of this radius (m) around it.
+    pub(super) fn new(
+        points: &[DVec3],
+        radius: f64,
+        down: Option<DVec3>,
+        planes: &[Plane],
+        choice: &CameraChoice,
+    ) -> Self {
+        let usable =
+            |vector: Option<[f64; 3]>| vector.map(DVec3::from_array).filter(|v| v.is_finite());
+        let size = choice
+            .size
+            .unwrap_or([640, 480])
+            .map(|side| side.clamp(16, 8192));
+        let up = usable(choice.up).and_then(DVec3::try_normalize);
+        let up = up.or(down.map(|down| -down)).unwrap_or(DVec3::Z);
+        let degrees = choice
+            .field_of_view
+            .filter(|degrees| *degrees > 0.0 && *degrees < 180.0);
+        let degrees = degrees.map(|degrees| degrees.clamp(0.1, 179.0));
+        let angle = degrees.unwrap_or(FIELD_OF_VIEW).to_radians();
+        let (position, target) = (usable(choice.position), usable(choice.target));
+        let middle = middle(points);
+        let camera = if let Some(eye) = position {
+            let forward = target.unwrap_or(middle) - eye;
+            let camera = Camera::new(eye, forward, up, angle, size);
+            match degrees {
+                Some(_) => camera,
+                None => Camera::new(eye, forward, up, wide_enough(&camera, points, radius), size),
+            }
+        } else {
+            let forward = direction(points, up, down.is_some(), planes);
+            let camera = Camera::new(target.unwrap_or(middle), forward, up, angle, size);
+            fitted(camera, points, radius, target.is_some())
+        };
+        Self {
+            camera,
+            frame: Frame::of(&camera),
+            distance: (middle - camera.eye_point())
+                .length()
+                .max(f64::MIN_POSITIVE),
+            may_move: position.is_none(),
+            pulled: 0.0,
+            goal: 0.0,
+        }
+    }
+
+    /// The camera as it is now.
+    pub(super) fn camera(&self) -> Camera {
+        self.camera.pulled_back(self.pulled)
+    }
+
+    /// From the eye to the middle of things, m.
+    pub(super) fn distance(&self) -> f64 {
+        self.distance + self.pulled
+    }
+
+    /// How many times farther away than at the start.
+    pub(super) fn growth(&self) -> f64 {
+        1.0 + self.pulled / self.distance
+    }
+
+    /// Moves the camera back, and only ever back, so that these points stay in the picture.
+    ///
+    /// What has gone so far that the rest would become too small is let go.
+    pub(super) fn follow(&mut self, points: impl Iterator<Item = DVec3>, radius: f64) {
+        if !self.may_move {
+            return;
+        }
+        let farthest = 3.0 * self.distance;
+        let [across, along] = self.camera.slopes();
+        let edge = Frame {
+            side: across,
+            top: along,
+            bottom: along,
+        };
+        let (mut inside, mut comfortable) = (0.0f64, 0.0f64);
+        for point in points {
+            let seen = self.camera.seen(point);
+            let needed = self.frame.depth(seen, radius) - seen[2];
+            if needed <= farthest {
+                comfortable = comfortable.max(needed);
+                inside = inside.max(edge.depth(seen, radius) - seen[2]);
+            }
+        }
+        if comfortable > 1e-6 * self.distance {
+            // A little farther than needed, so that it comes to rest instead of following every move.
+            self.goal = self.goal.max((comfortable * 1.1).min(farthest));
+        }
+        let eased = self.pulled + 0.12 * (self.goal - self.pulled);
+        self.pulled = eased.max(inside).max(self.pulled);
+    }
+}
+
+/// The middle of the box around points.
+pub(super) fn middle(points: &[DVec3]) -> DVec3 {
+    let low = points
+        .iter()
+        .copied()
+        .reduce(DVec3::min)
+        .unwrap_or(DVec3::ZERO);
+    let high = points
+        .iter()
+        .copied()
+        .reduce(DVec3::max)
+        .unwrap_or(DVec3::ZERO);
+    low + (high - low) * 0.5
+}
+
+/// The field of view that shows all points from a given eye, radians, between 10° and 100°.
+fn wide_enough(camera: &Camera, points: &[DVec3], radius: f64) -> f64 {
+    let [width, height] = camera.size().map(f64::from);
+    let slope = points
+        .iter()
+        .map(|point| camera.seen(*point))
+        .filter(|seen| seen[2] > 0.0)
+        .fold(0.0f64, |slope, [x, y, depth]| {
+            slope.max(((x.abs() + radius) * height / width).max(y.abs() + radius) / depth)
+        });
+    (2.0 * (slope * 1.2).atan()).clamp(10f64.to_radians(), 100f64.to_radians())
+}
+
+/// The camera moved to where it is as near as can be with all points in its frame.
+///
+/// Each side of the frame is a plane through the eye that no ball may cross: a linear bound on the eye.
+fn fitted(camera: Camera, points: &[DVec3], radius: f64, keep_axis: bool) -> Camera {
+    let frame = Frame::of(&camera);
+    if keep_axis {
+        let needed = points.iter().map(|point| camera.seen(*point));
+        let back = needed
+            .map(|seen| frame.depth(seen, radius) - seen[2])
+            .fold(0.0, f64::max);
+        return camera.pulled_back(if back > 0.0 { back } else { 1.0 });
+    }
+    let bound = |axis: usize, slope: f64, sign: f64| {
+        points
+            .iter()
+            .map(|point| camera.seen(*point))
+            .map(|seen| {
+                seen[2] - (sign * seen[axis] + radius * (1.0 + slope * slope).sqrt()) / slope
+            })
+            .fold(f64::MAX, f64::min)
+    };
+    let (right, left) = (bound(0, frame.side, 1.0), bound(0, frame.side, -1.0));
+    let (top, bottom) = (bound(1, frame.top, 1.0), bound(1, frame.bottom, -1.0));
+    // Where both bounds of an axis meet is as far ahead as that axis allows.
+    let ahead_across = (right + left) * 0.5;
+    let upward = (bottom - top) / (1.0 / frame.top + 1.0 / frame.bottom);
+    let ahead = ahead_across.min(top + upward / frame.top);
+    let across = frame.side * (left - right) * 0.5;
+    let upward = 0.5 * (frame.top * (ahead - top) + frame.bottom * (bottom - ahead));
+    camera.moved([across, upward, ahead])
+}
+
+/// The direction to look along: straight at a flat scene, three-quarters at others, a little from above.
+fn direction(points: &[DVec3], up: DVec3, has_gravity: bool, planes: &[Plane]) -> DVec3 {
+    let across = if up.x.abs() < 0.9 { DVec3::X } else { DVec3::Y }
+        .reject_from_normalized(up)
+        .normalize();
+    let along = up.cross(across);
+    let centre =
+        points.iter().fold(DVec3::ZERO, |sum, point| sum + *point) / points.len().max(1) as f64;
+    let offsets = points.iter().map(|point| *point - centre);
+    // The axes of the ellipse that the points make when seen from above.
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for offset in offsets.clone() {
+        let (x, y) = (offset.dot(across), offset.dot(along));
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
+    let long = across * angle.cos() + along * angle.sin();
+    let short = up.cross(long);
+    let width = |axis: DVec3| {
+        offsets
+            .clone()
+            .map(|offset| offset.dot(axis).abs())
+            .fold(0.0, f64::max)
+    };
+    let (wide, thick, high) = (width(long), width(short), width(up));
+    let thin = 0.03 * wide.max(high);
+    let slope = planes
+        .iter()
+        .map(|plane| plane.normal.reject_from_normalized(up))
+        .find(|slope| slope.length() > 0.05 && slope.length() < 0.99)
+        .map(DVec3::normalize);
+    if high < thin && !has_gravity && thick > thin {
+        return -up;
+    }
+    let flat = thick <= thin;
+    let is_long = wide > thin && xx + yy > 0.0 && (flat || thick < 0.8 * wide);
+    let mut right = if flat && is_long {
+        long
+    } else {
+        slope.unwrap_or(if is_long { long } else { across })
+    };
+    // From the side where x, or else y, runs to the right.
+    let along_axis = |right: DVec3| {
+        if right.dot(across).abs() > 1e-3 {
+            right.dot(across)
+        } else {
+            right.dot(along)
+        }
+    };
+    if along_axis(right) < 0.0 {
+        right = -right;
+    }
+    let forward = up.cross(right);
+    let (turns, pitch): (&[f64], f64) = if flat {
+        (&[0.0, 180.0], 9.0)
+    } else {
+        (&[28.0, -28.0, 152.0, -152.0], 22.0)
+    };
+    let looks = turns.iter().map(|turn| {
+        let (sine, cosine) = turn.to_radians().sin_cos();
+        let level = forward * cosine - right * sine;
+        level * pitch.to_radians().cos() - up * pitch.to_radians().sin()
+    });
+    // The first from which the fewest planes are seen from behind.
+    let hidden = |look: &DVec3| {
+        planes
+            .iter()
+            .filter(|plane| plane.normal.dot(*look) > 0.0)
+            .count()
+    };
+    looks
+        .reduce(|best, look| {
+            if hidden(&look) < hidden(&best) {
+                look
+            } else {
+                best
+            }
+        })
+        .unwrap_or(forward)
+}

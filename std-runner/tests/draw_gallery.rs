@@ -1,0 +1,103 @@
+//! Pictures to look at, and how long they take: `cargo test --release --test draw_gallery -- --ignored --nocapture`.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    dead_code
+)]
+
+mod draw_scenes;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use draw_scenes::Motion;
+use hooke_runner::draw::{Canvas, Picture, Scenery};
+use hooke_runner::model::CameraChoice;
+
+fn folder() -> PathBuf {
+    let folder =
+        std::env::var("HOOKE_PICTURES").unwrap_or_else(|_| env!("CARGO_TARGET_TMPDIR").to_owned());
+    std::fs::create_dir_all(&folder).unwrap();
+    PathBuf::from(folder)
+}
+
+fn save(canvas: &Canvas, name: &str) {
+    let file = std::fs::File::create(folder().join(name)).unwrap();
+    let mut encoder = png::Encoder::new(file, canvas.width(), canvas.height());
+    encoder.set_color(png::ColorType::Rgba);
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(canvas.data())
+        .unwrap();
+}
+
+#[test]
+#[ignore = "makes pictures for eyes"]
+fn gallery() {
+    for scene in draw_scenes::all() {
+        let scenery = Scenery::new(
+            &scene.model,
+            scene.gravity,
+            scene.name,
+            &CameraChoice::default(),
+        );
+        let mut picture = Picture::new(scenery);
+        let mut motion = Motion::new(&scene);
+        let mut wall = 0.0;
+        for frame in 0..=100 {
+            if frame > 0 {
+                motion.run(0.02, 50);
+            }
+            let start = Instant::now();
+            let canvas = picture.draw(motion.time, &motion.position);
+            wall += start.elapsed().as_secs_f64();
+            if [0, 25, 100].contains(&frame) {
+                save(
+                    canvas,
+                    &format!("{}-{frame:03}.png", scene.name.replace(' ', "-")),
+                );
+            }
+        }
+        eprintln!("{}: {:.2} ms a frame", scene.name, wall * 1e3 / 101.0);
+    }
+}
+
+#[test]
+#[ignore = "measures"]
+fn large_cloth() {
+    let scene = draw_scenes::cloth(256);
+    let start = Instant::now();
+    let mut picture = Picture::new(Scenery::new(
+        &scene.model,
+        scene.gravity,
+        scene.name,
+        &CameraChoice::default(),
+    ));
+    eprintln!(
+        "scenery of {} springs: {:?}",
+        scene.model.springs.len(),
+        start.elapsed()
+    );
+    let position: Vec<[f64; 3]> = scene
+        .model
+        .particles
+        .iter()
+        .map(|particle| {
+            let [x, y, _] = particle.position;
+            [x, y * 0.4, 2.0 - y * 0.9 - 0.1 * (x * 7.0).sin()]
+        })
+        .collect();
+    for frame in 0..3 {
+        let start = Instant::now();
+        let canvas = picture.draw(f64::from(frame), &position);
+        eprintln!(
+            "{} springs: {:?}",
+            scene.model.springs.len(),
+            start.elapsed()
+        );
+        save(canvas, "large-cloth.png");
+    }
+}
