@@ -15,6 +15,7 @@ use std::time::Instant;
 use draw_scenes::Motion;
 use hooke_runner::draw::{Canvas, Picture, Scenery};
 use hooke_runner::model::CameraChoice;
+use hooke_runner::record::{Frame, GifRecorder, Recorder};
 
 fn folder() -> PathBuf {
     let folder =
@@ -62,7 +63,67 @@ fn gallery() {
             }
         }
         eprintln!("{}: {:.2} ms a frame", scene.name, wall * 1e3 / 101.0);
+        make_gif(&scene);
     }
+}
+
+fn make_gif(scene: &draw_scenes::Scene) {
+    let scenery = Scenery::new(
+        &scene.model,
+        scene.gravity,
+        scene.name,
+        &CameraChoice::default(),
+    );
+    let mut bytes = Vec::new();
+    let mut recorder = GifRecorder::new(&mut bytes, "gif".into(), Picture::new(scenery), 50.0);
+    let mut motion = Motion::new(scene);
+    let mut wall = 0.0;
+    for number in 0..=100 {
+        if number > 0 {
+            motion.run(0.02, 50);
+        }
+        let frame = Frame {
+            number,
+            time: motion.time,
+            position: &motion.position,
+            velocity: &[],
+        };
+        let start = Instant::now();
+        recorder.record(&frame).unwrap();
+        wall += start.elapsed().as_secs_f64();
+    }
+    <GifRecorder<_> as Recorder<f64>>::finish(Box::new(recorder)).unwrap();
+    let file = scene.name.replace(' ', "-");
+    eprintln!(
+        "    gif: {:.2} ms a frame, {} kB",
+        wall * 1e3 / 101.0,
+        bytes.len() / 1000
+    );
+    std::fs::write(folder().join(format!("{file}.gif")), &bytes).unwrap();
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(bytes.as_slice()).unwrap();
+    let width = usize::from(decoder.width());
+    let mut screen = vec![[0u8; 4]; width * usize::from(decoder.height())];
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        let pixels = frame.buffer.chunks_exact(4).enumerate();
+        for (index, pixel) in pixels.filter(|(_, pixel)| pixel[3] > 0) {
+            let (row, column) = (
+                index / usize::from(frame.width),
+                index % usize::from(frame.width),
+            );
+            let place = (row + usize::from(frame.top)) * width + column + usize::from(frame.left);
+            screen[place].copy_from_slice(pixel);
+        }
+    }
+    let out = std::fs::File::create(folder().join(format!("{file}-gif.png"))).unwrap();
+    let mut encoder = png::Encoder::new(out, width as u32, (screen.len() / width) as u32);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(screen.as_flattened())
+        .unwrap();
 }
 
 #[test]

@@ -61,17 +61,23 @@ pub fn strain_colour(share: f32) -> Colour {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StrainScale {
     end: f64,
+    is_passed: bool,
 }
 
 impl Default for StrainScale {
     fn default() -> Self {
-        Self { end: 0.05 }
+        Self {
+            end: 0.05,
+            is_passed: false,
+        }
     }
 }
 
 impl StrainScale {
     /// The widest scale: at a diverged spring, the colours of the others say nothing anyway.
     const WIDEST: f64 = 10.0;
+    /// One spring in this many may go beyond the scale: a few at a cloth's corners would make the rest grey.
+    const ONE_IN: usize = 50;
 
     /// The strain at the scale's end, more than 0.
     #[must_use]
@@ -79,9 +85,24 @@ impl StrainScale {
         self.end
     }
 
-    /// Makes room for a strain of this size: 5 %, 10 %, 20 %, 50 % and so on, up to 1000 %.
-    pub fn include(&mut self, strain: f64) {
-        while strain.is_finite() && self.end < strain.abs() && self.end < Self::WIDEST {
+    /// Whether some spring of the last frame is beyond the scale's end; it has the end's colour.
+    #[must_use]
+    pub fn is_passed(&self) -> bool {
+        self.is_passed
+    }
+
+    /// Makes room for these strains but the largest fiftieth: 5 %, 10 %, 20 %, 50 % and so on, up to 1000 %.
+    pub fn include(&mut self, strains: &[f64]) {
+        loop {
+            let beyond = strains
+                .iter()
+                .filter(|strain| strain.abs() > self.end)
+                .count();
+            self.is_passed = beyond > 0;
+            let endless = strains.iter().filter(|strain| strain.is_infinite()).count();
+            if beyond - endless <= strains.len() / Self::ONE_IN || self.end >= Self::WIDEST {
+                return;
+            }
             // 5, 10, 20, 50: the step after a 2 is two and a half, the others are two.
             let leading = self.end / 10f64.powf(self.end.log10().floor());
             let factor = if (1.5..3.0).contains(&leading) {

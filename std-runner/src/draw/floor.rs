@@ -62,6 +62,9 @@ struct Patch {
     tile: f64,
     tones: [Colour; 2],
     is_glass: bool,
+    radius: f64,
+    /// The planes behind which it is not seen.
+    cuts: Vec<Plane>,
 }
 
 impl Floor {
@@ -78,11 +81,18 @@ impl Floor {
         layers.front.clear();
         layers.front.resize(width * height, 0.0);
         for (number, plane) in self.planes.iter().enumerate() {
-            let Some(patch) = self.patch(*plane, camera) else {
+            let Some(mut patch) = self.patch(*plane, camera) else {
                 continue;
             };
+            patch.radius *= growth;
+            let others = self
+                .planes
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != number);
+            patch.cuts = others.map(|(_, plane)| *plane).collect();
             for row in 0..height {
-                self.paint_row(number, &patch, row, growth, camera, canvas, layers);
+                patch.paint_row(row, camera, canvas, layers);
             }
         }
     }
@@ -113,61 +123,56 @@ impl Floor {
             tile,
             tones: if is_glass { GLASS } else { TILES.map(darken) },
             is_glass,
+            radius: self.radius,
+            cuts: Vec::new(),
         })
     }
+}
 
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "one row of one loop, apart only to be readable"
-    )]
-    fn paint_row(
-        &self,
-        number: usize,
-        patch: &Patch,
-        row: usize,
-        growth: f64,
-        camera: &Camera,
-        canvas: &mut Canvas,
-        layers: &mut Layers,
-    ) {
+impl Patch {
+    fn paint_row(&self, row: usize, camera: &Camera, canvas: &mut Canvas, layers: &mut Layers) {
         let [width, _] = canvas.size();
         let eye = camera.eye_point();
-        let start = camera.ray(0.5, row as f64 + 0.5);
-        let right = camera.ray(1.5, row as f64 + 0.5) - start;
-        let below = camera.ray(0.5, row as f64 + 1.5) - start;
-        let height = patch.plane.height(eye);
-        let radius = self.radius * growth;
-        let slope = |ray: DVec3| patch.plane.normal.dot(ray);
+        let ray = camera.ray(0.5, row as f64 + 0.5);
+        let right = camera.ray(1.5, row as f64 + 0.5) - ray;
+        let below = camera.ray(0.5, row as f64 + 1.5) - ray;
+        // All that is asked of the ray are products with it, which change evenly along the row.
+        let across = |vector: DVec3| Product {
+            start: vector.dot(ray),
+            right: vector.dot(right),
+            below: vector.dot(below),
+            eye: vector.dot(eye - self.centre),
+        };
+        let slope = across(self.plane.normal);
+        let axes = self.axes.map(across);
         for column in 0..width {
-            let ray = start + right * column as f64;
-            let depth = -height / slope(ray);
+            let steepness = slope.at(column);
+            let depth = -slope.eye / steepness;
             // Not a number, or infinite, where the ray runs along the plane.
             if !(depth > 0.0 && depth.is_finite()) {
                 continue;
             }
-            let point = eye + ray * depth;
-            let offset = point - patch.centre;
-            let distance = offset.length() / radius;
-            let cut =
-                |(other, plane): (usize, &Plane)| other != number && plane.height(point) < 0.0;
-            if distance >= 1.0 || self.planes.iter().enumerate().any(cut) {
+            let places = axes
+                .each_ref()
+                .map(|axis| axis.eye + depth * axis.at(column));
+            let distance = (places[0] * places[0] + places[1] * places[1]).sqrt() / self.radius;
+            let point = self.centre + self.axes[0] * places[0] + self.axes[1] * places[1];
+            if distance >= 1.0 || self.cuts.iter().any(|cut| cut.height(point) < 0.0) {
                 continue;
             }
             let mut light = 1.0;
-            for axis in patch.axes {
-                let place = axis.dot(offset);
+            for (axis, place) in axes.iter().zip(places) {
                 // How the place changes from pixel to pixel: what one pixel blurs.
-                let change = |step: DVec3| {
-                    depth * (axis.dot(step) - axis.dot(ray) * slope(step) / slope(ray))
-                };
-                let blur = (change(right).abs() + change(below).abs()) * 0.5 / patch.tile;
-                light *= stripe(place / patch.tile, blur);
+                let tilt = axis.at(column) / steepness;
+                let change = (axis.right - tilt * slope.right).abs()
+                    + (axis.below - tilt * slope.below).abs();
+                light *= stripe(place / self.tile, depth * change * 0.5 / self.tile);
             }
             let fade = 1.0 - ((distance - 0.45) / 0.55).clamp(0.0, 1.0) as f32;
             let fade = fade * fade * (3.0 - 2.0 * fade);
-            let colour = blend(patch.tones[1], patch.tones[0], 0.5 + 0.5 * light as f32);
+            let colour = blend(self.tones[1], self.tones[0], 0.5 + 0.5 * light as f32);
             let index = row * width + column;
-            if patch.is_glass {
+            if self.is_glass {
                 layers
                     .glass
                     .push((index as u32, colour, fade * GLASS_OPACITY));
@@ -179,6 +184,20 @@ impl Floor {
                 *front = front.max(fade);
             }
         }
+    }
+}
+
+/// The product of a vector with the rays of a row, and with the eye's place.
+struct Product {
+    start: f64,
+    right: f64,
+    below: f64,
+    eye: f64,
+}
+
+impl Product {
+    fn at(&self, column: usize) -> f64 {
+        self.start + self.right * column as f64
     }
 }
 

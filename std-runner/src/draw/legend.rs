@@ -81,10 +81,15 @@ impl Legend {
         }
         let percent = strain.end() * 100.0;
         let baseline = height as f32 - 11.0 * scale;
+        let (below, above) = if strain.is_passed() {
+            ("≤ ", "≥ ")
+        } else {
+            ("", "")
+        };
         let labels = [
-            format!("−{percent} %"),
+            format!("{below}−{percent} %"),
             "0".to_owned(),
-            format!("+{percent} %"),
+            format!("{above}+{percent} %"),
         ];
         for (place, label) in labels.iter().enumerate() {
             let at = [left + long * place as f32 * 0.5, baseline];

@@ -6,7 +6,8 @@
 //!
 //! What the marks mean:
 //! - A spring's colour is its strain, (l − l_rest)/l_rest, on the scale shown at the bottom right.
-//!   The scale starts at ±5 % and widens to the next round number when a spring goes beyond it.
+//!   The scale starts at ±5 % and widens to the next round number when a fiftieth of the springs go beyond it;
+//!   its ends are marked ≤ and ≥ while any spring does. Of rest length 0, any length is beyond.
 //! - A diamond is pinned, a square follows its track; a ball is a free particle. A dense cloth's are left out.
 //! - A plane is drawn lower than it is by the radius of the largest ball: a particle is a point, and a ball
 //!   drawn around it then rests on its floor instead of sinking into it.
@@ -19,6 +20,7 @@ mod floor;
 mod legend;
 mod looks;
 mod order;
+mod outlook;
 mod picture;
 mod reach;
 mod scenery;

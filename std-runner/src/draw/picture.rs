@@ -180,9 +180,9 @@ impl Picture {
                 }
                 _ => f64::NAN,
             };
-            self.strain.include(strain);
             self.strains.push(strain);
         }
+        self.strain.include(&self.strains);
     }
 
     /// How wide a spring is at this depth, pixels.
@@ -190,7 +190,7 @@ impl Picture {
         let scale = camera.size()[1] as f32 / 480.0;
         let natural =
             0.13 * self.scenery.looks.spring_length * camera.pixels_per_metre(f64::from(depth));
-        (natural as f32).clamp(0.6 * scale.min(1.5), 2.2 * scale)
+        (natural as f32).clamp(0.4 * scale.min(1.5), 2.2 * scale)
     }
 
     fn cast_shadows(&mut self, camera: &Camera) {
@@ -248,9 +248,9 @@ impl Picture {
                     .get(end as usize)
                     .map_or(f32::NAN, |seen| seen.depth)
             });
-            let depth = (from + to) * 0.5;
-            if depth.is_finite() {
-                order.push(depth, number as u32);
+            // Behind both its ends, so that it never runs across the balls that it joins.
+            if from.is_finite() && to.is_finite() {
+                order.push(from.max(to), number as u32);
             }
         }
         let springs = self.scenery.springs.len() as u32;

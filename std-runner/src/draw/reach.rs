@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use glam::DVec3;
 
 use super::floor::Plane;
+use super::shadow::below;
 use crate::model::{Hold, Model};
 
 /// The share of the scene's extent that free things get where nothing says how far they will go.
@@ -23,6 +24,10 @@ pub(super) fn reach(model: &Model, gravity: DVec3, planes: &[Plane]) -> Vec<DVec
         }
     }
     points.retain(|point| point.is_finite());
+    points.extend(floor_below(&points, gravity, planes, extent));
+    if points.is_empty() {
+        points.push(DVec3::ZERO);
+    }
     points
 }
 
@@ -39,6 +44,17 @@ fn starts(model: &Model) -> Vec<DVec3> {
         .map(DVec3::from_array)
         .filter(usable)
         .collect()
+}
+
+/// Where a plane lies not far below things: seeing it tells how high they are.
+fn floor_below(points: &[DVec3], gravity: DVec3, planes: &[Plane], extent: f64) -> Option<DVec3> {
+    let down = gravity.try_normalize()?;
+    let lowest = points
+        .iter()
+        .copied()
+        .max_by(|a, b| a.dot(down).total_cmp(&b.dot(down)))?;
+    let (_, depth, foot) = below(planes, down, lowest)?;
+    (depth < 0.8 * extent).then_some(foot)
 }
 
 /// The diagonal of the box around points; 1 m if that is nothing.
@@ -63,6 +79,13 @@ struct Island {
     members: Vec<(usize, usize, usize)>,
     hold_count: usize,
     spring_count: usize,
+}
+
+impl Island {
+    /// More springs than a tree or a ring has.
+    fn is_mesh(&self) -> bool {
+        self.spring_count > self.members.len()
+    }
 }
 
 /// Each particle's springs: `springs[starts[i]..starts[i + 1]]` are particle i's, with the other ends.
@@ -232,11 +255,7 @@ impl Tree {
             }
         }
         // A lone chain dropped from rest overshoots to twice its stretch; in a mesh many paths share the load.
-        let share = if island.spring_count <= island.members.len() {
-            2.0
-        } else {
-            0.5
-        };
+        let share = if island.is_mesh() { 0.5 } else { 2.0 };
         for &(index, from, spring) in &island.members {
             if from == index {
                 self.hold[index] = index;
@@ -277,7 +296,13 @@ impl Tree {
             let turning = pivot.nearest(start);
             let aside = (turning - place(self.hold[index])).length();
             let sag = (self.length[index].powi(2) - aside.powi(2)).max(0.0).sqrt();
-            let across = start - 2.0 * (start - turning).reject_from_normalized(down);
+            let aside = (start - turning).reject_from_normalized(down);
+            // A mesh bends and comes to rest on the way; what turns about one point swings as high again.
+            let across = if island.is_mesh() {
+                turning - aside * 0.7 + down * (aside.length() * 0.7)
+            } else {
+                start - 2.0 * aside
+            };
             for offset in &travel {
                 for point in [start, turning + down * sag, across] {
                     points.push(above(planes, point + *offset, down));

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::camera::Camera;
 use super::floor::{Floor, Plane};
 use super::looks::Looks;
+use super::outlook::Outlook;
 use super::reach::{extent, reach};
 use super::view::{View, middle};
 use crate::model::{CameraChoice, Model};
@@ -35,7 +36,16 @@ impl Scenery {
         let looks = Looks::new(model, extent);
         // A scene that is one point still needs some room around it.
         let room = looks.largest.max(0.02 * extent);
-        let view = View::new(&points, room, down, &planes, choice);
+        let view = View::new(
+            &points,
+            room,
+            down,
+            &Outlook {
+                model,
+                planes: &planes,
+            },
+            choice,
+        );
         let lowered = planes.iter().map(|plane| Plane {
             offset: plane.offset - looks.largest,
             ..*plane

@@ -93,12 +93,12 @@ pub(super) fn line(canvas: &mut Canvas, ends: [[f32; 2]; 2], width: f32, colour:
 
 /// Draws a coil spring seen from the side; a plain line where it is short.
 pub(super) fn zigzag(canvas: &mut Canvas, [from, to]: [[f32; 2]; 2], width: f32, colour: Colour) {
-    const TEETH: usize = 9;
+    const TEETH: usize = 14;
     let (x, y) = (to[0] - from[0], to[1] - from[1]);
     let length = x.hypot(y);
-    let amplitude = 2.6 * width;
+    let amplitude = 3.6 * width;
     // One longer than ten thousand pixels is mostly out of the picture.
-    if !(length > 8.0 * width * TEETH as f32 && length < 1e4) {
+    if !(length > 3.0 * width * TEETH as f32 && length < 1e4) {
         line(canvas, [from, to], width, colour);
         return;
     }
@@ -109,8 +109,8 @@ pub(super) fn zigzag(canvas: &mut Canvas, [from, to]: [[f32; 2]; 2], width: f32,
             from[1] + y * along + x * aside,
         ]
     };
-    // Straight for a sixth of the length at either end.
-    let place = |tooth: f32| (1.0 + 4.0 * tooth / TEETH as f32) / 6.0;
+    // Straight for a tenth of the length at either end.
+    let place = |tooth: f32| 0.1 + 0.8 * tooth / TEETH as f32;
     let mut last = from;
     let corners = (0..TEETH).map(|tooth| {
         let side = if tooth % 2 == 0 { 1.0 } else { -1.0 };

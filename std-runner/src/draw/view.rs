@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::camera::Camera;
-use super::floor::Plane;
+use super::outlook::Outlook;
 use crate::model::CameraChoice;
 
 /// Degrees from top to bottom, where it is free to choose: little distortion, yet clear depth.
@@ -58,7 +58,7 @@ impl View {
         points: &[DVec3],
         radius: f64,
         down: Option<DVec3>,
-        planes: &[Plane],
+        outlook: &Outlook<'_>,
         choice: &CameraChoice,
     ) -> Self {
         let usable =
@@ -84,7 +84,7 @@ impl View {
                 None => Camera::new(eye, forward, up, wide_enough(&camera, points, radius), size),
             }
         } else {
-            let forward = direction(points, up, down.is_some(), planes);
+            let forward = outlook.direction(points, up, down.is_some());
             let camera = Camera::new(target.unwrap_or(middle), forward, up, angle, size);
             fitted(camera, points, radius, target.is_some())
         };
@@ -122,27 +122,37 @@ impl View {
         if !self.may_move {
             return;
         }
-        let farthest = 3.0 * self.distance;
         let [across, along] = self.camera.slopes();
         let edge = Frame {
             side: across,
             top: along,
             bottom: along,
         };
-        let (mut inside, mut comfortable) = (0.0f64, 0.0f64);
+        // For a few strays the rest is not made small, but if most have gone, they are what there is to see.
+        let limits = [3.0, 20.0].map(|times| times * self.distance);
+        let (mut all, mut strays) = (0usize, 0usize);
+        let mut needs = [[0.0f64; 2]; 2];
         for point in points {
             let seen = self.camera.seen(point);
-            let needed = self.frame.depth(seen, radius) - seen[2];
-            if needed <= farthest {
-                comfortable = comfortable.max(needed);
-                inside = inside.max(edge.depth(seen, radius) - seen[2]);
+            let comfortable = self.frame.depth(seen, radius) - seen[2];
+            all += usize::from(comfortable.is_finite());
+            strays += usize::from(comfortable > limits[0]);
+            for (limit, need) in limits.iter().zip(&mut needs) {
+                if comfortable <= *limit {
+                    need[0] = need[0].max(edge.depth(seen, radius) - seen[2]);
+                    need[1] = need[1].max(comfortable);
+                }
             }
         }
+        let mostly = usize::from(strays * 2 > all);
+        let ([inside, comfortable], farthest) = (needs[mostly], limits[mostly]);
         if comfortable > 1e-6 * self.distance {
             // A little farther than needed, so that it comes to rest instead of following every move.
             self.goal = self.goal.max((comfortable * 1.1).min(farthest));
         }
         let eased = self.pulled + 0.12 * (self.goal - self.pulled);
+        // Never a jump, even where the limit changes.
+        let inside = inside.min(self.pulled + 0.2 * self.distance());
         self.pulled = eased.max(inside).max(self.pulled);
     }
 }
@@ -205,87 +215,4 @@ fn fitted(camera: Camera, points: &[DVec3], radius: f64, keep_axis: bool) -> Cam
     let across = frame.side * (left - right) * 0.5;
     let upward = 0.5 * (frame.top * (ahead - top) + frame.bottom * (bottom - ahead));
     camera.moved([across, upward, ahead])
-}
-
-/// The direction to look along: straight at a flat scene, three-quarters at others, a little from above.
-fn direction(points: &[DVec3], up: DVec3, has_gravity: bool, planes: &[Plane]) -> DVec3 {
-    let across = if up.x.abs() < 0.9 { DVec3::X } else { DVec3::Y }
-        .reject_from_normalized(up)
-        .normalize();
-    let along = up.cross(across);
-    let centre =
-        points.iter().fold(DVec3::ZERO, |sum, point| sum + *point) / points.len().max(1) as f64;
-    let offsets = points.iter().map(|point| *point - centre);
-    // The axes of the ellipse that the points make when seen from above.
-    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    for offset in offsets.clone() {
-        let (x, y) = (offset.dot(across), offset.dot(along));
-        xx += x * x;
-        xy += x * y;
-        yy += y * y;
-    }
-    let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
-    let long = across * angle.cos() + along * angle.sin();
-    let short = up.cross(long);
-    let width = |axis: DVec3| {
-        offsets
-            .clone()
-            .map(|offset| offset.dot(axis).abs())
-            .fold(0.0, f64::max)
-    };
-    let (wide, thick, high) = (width(long), width(short), width(up));
-    let thin = 0.03 * wide.max(high);
-    let slope = planes
-        .iter()
-        .map(|plane| plane.normal.reject_from_normalized(up))
-        .find(|slope| slope.length() > 0.05 && slope.length() < 0.99)
-        .map(DVec3::normalize);
-    if high < thin && !has_gravity && thick > thin {
-        return -up;
-    }
-    let flat = thick <= thin;
-    let is_long = wide > thin && xx + yy > 0.0 && (flat || thick < 0.8 * wide);
-    let mut right = if flat && is_long {
-        long
-    } else {
-        slope.unwrap_or(if is_long { long } else { across })
-    };
-    // From the side where x, or else y, runs to the right.
-    let along_axis = |right: DVec3| {
-        if right.dot(across).abs() > 1e-3 {
-            right.dot(across)
-        } else {
-            right.dot(along)
-        }
-    };
-    if along_axis(right) < 0.0 {
-        right = -right;
-    }
-    let forward = up.cross(right);
-    let (turns, pitch): (&[f64], f64) = if flat {
-        (&[0.0, 180.0], 9.0)
-    } else {
-        (&[28.0, -28.0, 152.0, -152.0], 22.0)
-    };
-    let looks = turns.iter().map(|turn| {
-        let (sine, cosine) = turn.to_radians().sin_cos();
-        let level = forward * cosine - right * sine;
-        level * pitch.to_radians().cos() - up * pitch.to_radians().sin()
-    });
-    // The first from which the fewest planes are seen from behind.
-    let hidden = |look: &DVec3| {
-        planes
-            .iter()
-            .filter(|plane| plane.normal.dot(*look) > 0.0)
-            .count()
-    };
-    looks
-        .reduce(|best, look| {
-            if hidden(&look) < hidden(&best) {
-                look
-            } else {
-                best
-            }
-        })
-        .unwrap_or(forward)
 }

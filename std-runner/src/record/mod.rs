@@ -2,6 +2,12 @@
 
 use hooke::Real;
 
+mod gif;
+mod png;
+
+pub use gif::GifRecorder;
+pub use png::PngRecorder;
+
 /// One moment of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a, R> {
