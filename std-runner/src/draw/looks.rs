@@ -20,6 +20,8 @@ pub(super) struct Looks {
     pub(super) particles: Vec<Look>,
     /// The middle one of the springs' lengths, m.
     pub(super) spring_length: f64,
+    /// Whether springs form lines rather than nets, and each of them has to be seen by itself.
+    pub(super) is_sparse: bool,
     /// Of the largest ball, m.
     pub(super) largest: f64,
 }
@@ -82,6 +84,7 @@ impl Looks {
         Self {
             particles,
             spring_length,
+            is_sparse: model.springs.len() < 2 * joints,
             largest,
         }
     }

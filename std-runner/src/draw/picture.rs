@@ -190,7 +190,12 @@ impl Picture {
         let scale = camera.size()[1] as f32 / 480.0;
         let natural =
             0.13 * self.scenery.looks.spring_length * camera.pixels_per_metre(f64::from(depth));
-        (natural as f32).clamp(0.4 * scale.min(1.5), 2.2 * scale)
+        let thinnest = if self.scenery.looks.is_sparse {
+            1.4
+        } else {
+            0.4
+        };
+        (natural as f32).clamp(thinnest * scale.min(1.5), 2.2 * scale)
     }
 
     fn cast_shadows(&mut self, camera: &Camera) {

@@ -24,7 +24,7 @@ pub(super) fn reach(model: &Model, gravity: DVec3, planes: &[Plane]) -> Vec<DVec
         }
     }
     points.retain(|point| point.is_finite());
-    points.extend(floor_below(&points, gravity, planes, extent));
+    points.extend(floor_below(&points, gravity, planes));
     if points.is_empty() {
         points.push(DVec3::ZERO);
     }
@@ -47,14 +47,14 @@ fn starts(model: &Model) -> Vec<DVec3> {
 }
 
 /// Where a plane lies not far below things: seeing it tells how high they are.
-fn floor_below(points: &[DVec3], gravity: DVec3, planes: &[Plane], extent: f64) -> Option<DVec3> {
+fn floor_below(points: &[DVec3], gravity: DVec3, planes: &[Plane]) -> Option<DVec3> {
     let down = gravity.try_normalize()?;
     let lowest = points
         .iter()
         .copied()
         .max_by(|a, b| a.dot(down).total_cmp(&b.dot(down)))?;
     let (_, depth, foot) = below(planes, down, lowest)?;
-    (depth < 0.8 * extent).then_some(foot)
+    (depth < 0.8 * extent(points)).then_some(foot)
 }
 
 /// The diagonal of the box around points; 1 m if that is nothing.
@@ -255,7 +255,7 @@ impl Tree {
             }
         }
         // A lone chain dropped from rest overshoots to twice its stretch; in a mesh many paths share the load.
-        let share = if island.is_mesh() { 0.5 } else { 2.0 };
+        let share = if island.is_mesh() { 0.15 } else { 2.0 };
         for &(index, from, spring) in &island.members {
             if from == index {
                 self.hold[index] = index;

@@ -21,6 +21,8 @@ pub(super) struct View {
     /// How far back it is now, and how far it is going, m.
     pulled: f64,
     goal: f64,
+    /// How far back each point wants the camera: to be comfortably inside, and just inside.
+    needs: Vec<[f64; 2]>,
 }
 
 /// The part of the picture meant for things: tangents to the side, up and down.
@@ -97,6 +99,7 @@ impl View {
             may_move: position.is_none(),
             pulled: 0.0,
             goal: 0.0,
+            needs: Vec::new(),
         }
     }
 
@@ -128,27 +131,30 @@ impl View {
             top: along,
             bottom: along,
         };
-        // For a few strays the rest is not made small, but if most have gone, they are what there is to see.
-        let limits = [3.0, 20.0].map(|times| times * self.distance);
-        let (mut all, mut strays) = (0usize, 0usize);
-        let mut needs = [[0.0f64; 2]; 2];
-        for point in points {
+        self.needs.clear();
+        self.needs.extend(points.filter_map(|point| {
             let seen = self.camera.seen(point);
-            let comfortable = self.frame.depth(seen, radius) - seen[2];
-            all += usize::from(comfortable.is_finite());
-            strays += usize::from(comfortable > limits[0]);
-            for (limit, need) in limits.iter().zip(&mut needs) {
-                if comfortable <= *limit {
-                    need[0] = need[0].max(edge.depth(seen, radius) - seen[2]);
-                    need[1] = need[1].max(comfortable);
-                }
-            }
+            let need = [&self.frame, &edge].map(|frame| frame.depth(seen, radius) - seen[2]);
+            need.iter().all(|need| need.is_finite()).then_some(need)
+        }));
+        // For a few strays the rest is not made small, but if most go, they are what there is to see.
+        let place = self.needs.len() * 3 / 4;
+        if self.needs.is_empty() {
+            return;
         }
-        let mostly = usize::from(strays * 2 > all);
-        let ([inside, comfortable], farthest) = (needs[mostly], limits[mostly]);
+        let usual = self
+            .needs
+            .select_nth_unstable_by(place, |a, b| a[0].total_cmp(&b[0]))
+            .1[0];
+        let farthest = (2.0 * usual).clamp(3.0 * self.distance, 20.0 * self.distance);
+        let (mut comfortable, mut inside) = (0.0f64, 0.0f64);
+        for need in self.needs.iter().filter(|need| need[0] <= farthest) {
+            comfortable = comfortable.max(need[0]);
+            inside = inside.max(need[1]);
+        }
         if comfortable > 1e-6 * self.distance {
             // A little farther than needed, so that it comes to rest instead of following every move.
-            self.goal = self.goal.max((comfortable * 1.1).min(farthest));
+            self.goal = self.goal.max((comfortable * 1.25).min(farthest));
         }
         let eased = self.pulled + 0.12 * (self.goal - self.pulled);
         // Never a jump, even where the limit changes.

@@ -6,12 +6,9 @@ use crate::draw::{Colour, palette_seeds};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Palette {
     colours: Vec<Colour>,
-    /// Answers given: the colour asked for in the upper 24 bits, its number in the lower 8.
-    answers: Vec<u32>,
+    /// The number of the nearest colour for each small cube of colours, once it was asked for.
+    answers: Vec<u8>,
 }
-
-/// How many answers are remembered.
-const ANSWERS: usize = 1 << 16;
 
 impl Palette {
     /// The number that leaves a pixel as it was.
@@ -37,10 +34,14 @@ impl Palette {
             }
         }
         // A number that no answer has: nothing is remembered yet.
-        Self {
-            colours,
-            answers: vec![u32::from(Self::UNCHANGED); ANSWERS],
+        let mut answers = vec![Self::UNCHANGED; 1 << 20];
+        // The colours themselves stay exact; where two share a cube, the earlier one is the commoner.
+        for (number, colour) in colours.iter().enumerate().rev() {
+            if let Some(answer) = answers.get_mut(cube(*colour)) {
+                *answer = number as u8;
+            }
         }
+        Self { colours, answers }
     }
 
     /// Three bytes a colour, 256 of them.
@@ -51,25 +52,37 @@ impl Palette {
     }
 
     /// The number of the colour nearest to this one.
+    #[inline]
     pub(super) fn nearest(&mut self, colour: Colour) -> u8 {
-        let code = code(colour);
-        let slot = (code.wrapping_mul(0x9E37_79B1) >> 16) as usize % ANSWERS;
-        if let Some(answer) = self.answers.get(slot)
-            && answer >> 8 == code
-            && *answer as u8 != Self::UNCHANGED
-        {
-            return *answer as u8;
+        match self.answers.get(cube(colour)) {
+            Some(&number) if number != Self::UNCHANGED => number,
+            _ => self.search(colour),
         }
-        let differences = self.colours.iter().map(|other| difference(colour, *other));
+    }
+
+    #[cold]
+    fn search(&mut self, colour: Colour) -> u8 {
+        // The middle of the cube, so that the answer does not depend on who asks first.
+        let [red, green, blue] = colour;
+        let middle = [red | 1, green | 1, (blue & !3) | 2];
+        let differences = self
+            .colours
+            .iter()
+            .map(|other| difference(middle, *other))
+            .enumerate();
         let number = differences
-            .enumerate()
             .min_by_key(|(_, difference)| *difference)
             .map_or(0, |(number, _)| number);
-        if let Some(answer) = self.answers.get_mut(slot) {
-            *answer = code << 8 | number as u32;
+        if let Some(answer) = self.answers.get_mut(cube(colour)) {
+            *answer = number as u8;
         }
         number as u8
     }
+}
+
+/// Which cube of colours, two by two by four tones wide, a colour is in.
+fn cube([red, green, blue]: Colour) -> usize {
+    usize::from(red >> 1) << 13 | usize::from(green >> 1) << 6 | usize::from(blue >> 2)
 }
 
 fn code([red, green, blue]: Colour) -> u32 {
