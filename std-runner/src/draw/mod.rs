@@ -17,6 +17,8 @@ mod camera;
 mod canvas;
 mod colours;
 mod floor;
+mod hang;
+mod islands;
 mod legend;
 mod looks;
 mod order;

@@ -84,7 +84,7 @@ impl<W: Write> GifRecorder<W> {
 
     fn end(mut self) -> io::Result<()> {
         if let (Some((time, position)), Some(last)) = (self.left_out.take(), &self.waiting) {
-            let slot = last.slot + self.clock.shortest();
+            let slot = last.slot.saturating_add(self.clock.shortest());
             self.show(time, &position, slot)?;
         }
         if let Some(last) = self.waiting.take() {

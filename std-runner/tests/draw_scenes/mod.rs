@@ -283,9 +283,9 @@ impl<'a> Motion<'a> {
                 / length;
             let pull = (spring.stiffness * (length - spring.rest_length) + spring.damping * speed)
                 / length;
-            for axis in 0..3 {
-                force[from][axis] += pull * d[axis];
-                force[to][axis] -= pull * d[axis];
+            for (axis, part) in d.into_iter().enumerate() {
+                force[from][axis] += pull * part;
+                force[to][axis] -= pull * part;
             }
         }
         self.time += step;
@@ -298,9 +298,9 @@ impl<'a> Motion<'a> {
                     continue;
                 }
             }
-            for axis in 0..3 {
-                self.velocity[number][axis] +=
-                    step * (force[number][axis] / particle.mass + self.scene.gravity[axis]);
+            for (axis, pull) in force[number].into_iter().enumerate() {
+                let acceleration = pull / particle.mass + self.scene.gravity[axis];
+                self.velocity[number][axis] += step * acceleration;
                 self.position[number][axis] += step * self.velocity[number][axis];
             }
             for plane in &model.planes {
