@@ -15,7 +15,7 @@ use std::time::Instant;
 use draw_scenes::Motion;
 use hooke_runner::draw::{Canvas, Picture, Scenery};
 use hooke_runner::model::CameraChoice;
-use hooke_runner::record::{Frame, GifRecorder, Recorder};
+use hooke_runner::record::{Frame, GifRecorder, PngRecorder, Recorder};
 
 fn folder() -> PathBuf {
     let folder =
@@ -128,37 +128,65 @@ fn make_gif(scene: &draw_scenes::Scene) {
 
 #[test]
 #[ignore = "measures"]
-fn large_cloth() {
-    let scene = draw_scenes::cloth(256);
-    let start = Instant::now();
-    let mut picture = Picture::new(Scenery::new(
-        &scene.model,
-        scene.gravity,
-        scene.name,
-        &CameraChoice::default(),
-    ));
-    eprintln!(
-        "scenery of {} springs: {:?}",
-        scene.model.springs.len(),
-        start.elapsed()
-    );
-    let position: Vec<[f64; 3]> = scene
-        .model
-        .particles
-        .iter()
-        .map(|particle| {
-            let [x, y, _] = particle.position;
-            [x, y * 0.4, 2.0 - y * 0.9 - 0.1 * (x * 7.0).sin()]
-        })
-        .collect();
-    for frame in 0..3 {
+fn cloths() {
+    for side in [32, 256] {
+        let scene = draw_scenes::cloth(side);
+        let springs = scene.model.springs.len();
+        let picture = || {
+            Picture::new(Scenery::new(
+                &scene.model,
+                scene.gravity,
+                scene.name,
+                &CameraChoice::default(),
+            ))
+        };
         let start = Instant::now();
-        let canvas = picture.draw(f64::from(frame), &position);
+        let mut drawn = picture();
+        eprintln!("{springs} springs: prepared in {:?}", start.elapsed());
+        let mut bytes = Vec::new();
+        let mut gif = GifRecorder::new(&mut bytes, "cloth.gif".into(), picture(), 50.0);
+        let mut png = PngRecorder::create(&folder().join("timed/cloth.png"), picture()).unwrap();
+        let mut wall = [0.0; 3];
+        for number in 0..20 {
+            let time = number as f64 * 0.02;
+            let position: Vec<[f64; 3]> = scene
+                .model
+                .particles
+                .iter()
+                .map(|particle| {
+                    let [x, y, _] = particle.position;
+                    [
+                        x,
+                        y * 0.4,
+                        2.0 - y * 0.9 - 0.1 * (x * 7.0 + time * 5.0).sin(),
+                    ]
+                })
+                .collect();
+            let frame = Frame {
+                number,
+                time,
+                position: &position,
+                velocity: &[],
+            };
+            let mut clock = Instant::now();
+            let mut lap = || {
+                std::mem::replace(&mut clock, Instant::now())
+                    .elapsed()
+                    .as_secs_f64()
+                    * 1e3
+                    / 20.0
+            };
+            drawn.draw(time, &position);
+            wall[0] += lap();
+            gif.record(&frame).unwrap();
+            wall[1] += lap();
+            png.record(&frame).unwrap();
+            wall[2] += lap();
+        }
+        save(drawn.canvas(), &format!("cloth-of-{springs}.png"));
         eprintln!(
-            "{} springs: {:?}",
-            scene.model.springs.len(),
-            start.elapsed()
+            "    ms a frame: draw {:.1}, with gif {:.1}, with png {:.1}",
+            wall[0], wall[1], wall[2]
         );
-        save(canvas, "large-cloth.png");
     }
 }

@@ -98,7 +98,7 @@ fn a_spring_of_no_rest_length_is_stretched_or_at_rest() {
         let canvas = picture.draw(0.0, &[[0.0, 0.0, -0.5 * length], [0.0, 0.0, 0.5 * length]]);
         if length > 0.0 {
             let rows = (60..180).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)));
-            let is_red = |pixel: Colour| pixel[0] > pixel[2] + 100;
+            let is_red = |pixel: Colour| pixel[0] > pixel[2].saturating_add(100);
             assert!(rows.filter_map(|(x, y)| canvas.at(x, y)).any(is_red));
         }
         assert_eq!(

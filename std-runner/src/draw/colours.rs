@@ -9,6 +9,8 @@ pub const BACKGROUND: Colour = [246, 247, 250];
 pub(super) const INK: Colour = [44, 50, 62];
 /// What shadows are made of.
 pub(super) const SHADOW: Colour = [64, 72, 96];
+/// A level floor's tiles.
+pub(super) const TILES: [Colour; 2] = [[236, 238, 243], [222, 226, 234]];
 /// Kinematic particles.
 pub(super) const TRACK: Colour = [20, 140, 110];
 /// Particles that springs hold.
@@ -115,18 +117,19 @@ impl StrainScale {
     }
 }
 
-/// The colours that pictures are made of, from the commonest: what a palette should hold.
-#[must_use]
-pub fn palette_seeds() -> Vec<Colour> {
+/// Colours that any picture may come to be made of, whatever its first frame shows: what a palette should hold.
+pub(super) fn seeds(has_springs: bool) -> Vec<Colour> {
     let mut seeds = vec![BACKGROUND, INK, TRACK];
     for step in 1..6 {
         seeds.push(blend(INK, BACKGROUND, step as f32 / 6.0));
     }
-    for step in 0..=16 {
-        let colour = strain_colour(step as f32 / 8.0 - 1.0);
-        for fade in 0..5 {
-            seeds.push(blend(colour, BACKGROUND, fade as f32 * 0.19));
-        }
+    for tile in TILES {
+        // Steps as fine as eyes see: they make up large areas.
+        seeds.extend((0..8).map(|step| blend(tile, BACKGROUND, step as f32 / 8.0)));
+    }
+    let strains = (0..=16).map(|step| strain_colour(step as f32 / 8.0 - 1.0));
+    for colour in strains.filter(|_| has_springs) {
+        seeds.extend((0..5).map(|fade| blend(colour, BACKGROUND, fade as f32 * 0.19)));
     }
     seeds
 }

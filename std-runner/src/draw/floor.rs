@@ -4,10 +4,8 @@ use glam::DVec3;
 
 use super::camera::Camera;
 use super::canvas::{Canvas, cover_pixel};
-use super::colours::{Colour, blend};
+use super::colours::{Colour, TILES, blend};
 
-/// The tiles' two tones, for a level floor.
-const TILES: [Colour; 2] = [[236, 238, 243], [222, 226, 234]];
 /// A plane between the eye and things.
 const GLASS: [Colour; 2] = [[150, 162, 190], [128, 142, 176]];
 const GLASS_OPACITY: f32 = 0.22;

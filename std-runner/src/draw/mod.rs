@@ -33,6 +33,6 @@ mod view;
 
 pub use camera::Camera;
 pub use canvas::Canvas;
-pub use colours::{BACKGROUND, Colour, StrainScale, blend, palette_seeds, strain_colour};
+pub use colours::{BACKGROUND, Colour, StrainScale, blend, strain_colour};
 pub use picture::Picture;
 pub use scenery::Scenery;

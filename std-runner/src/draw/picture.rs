@@ -5,7 +5,7 @@ use hooke::Real;
 
 use super::camera::Camera;
 use super::canvas::Canvas;
-use super::colours::{BACKGROUND, StrainScale};
+use super::colours::{self, BACKGROUND, Colour, StrainScale};
 use super::floor::Layers;
 use super::legend::Legend;
 use super::order::DepthOrder;
@@ -113,6 +113,12 @@ impl Picture {
         self.strain
     }
 
+    /// Colours that later pictures may have even if the first has not: what a palette should hold, at most 200.
+    #[must_use]
+    pub fn palette_seeds(&self) -> Vec<Colour> {
+        colours::seeds(!self.scenery.springs.is_empty())
+    }
+
     fn paint_back(&mut self, camera: &Camera) {
         if self.painted != Some(*camera) {
             self.back
@@ -129,7 +135,8 @@ impl Picture {
     fn find_particles(&mut self, camera: &Camera, points: impl Iterator<Item = DVec3>) {
         let [width, height] = camera.size().map(|side| side as f32 * 0.5);
         let distance = self.view.distance();
-        let range = (distance * 1e-3, distance * 1e3);
+        // What flies into the eye would hide the rest.
+        let range = (distance * 0.03, distance * 1e3);
         let place = |point: DVec3| {
             let [x, y, depth] = camera.seen(point);
             let scale = camera.pixels_per_metre(depth);

@@ -68,13 +68,14 @@ impl<W: Write> GifRecorder<W> {
 
     /// Draws a frame and writes the one before it, which lasted until this one's slot of time.
     fn show<R: Real>(&mut self, time: f64, position: &[[R; 3]], slot: i64) -> io::Result<()> {
-        let canvas = self.picture.draw(time, position);
+        self.picture.draw(time, position);
+        let canvas = self.picture.canvas();
         let size = [canvas.width() as u16, canvas.height() as u16];
         if let Some(last) = self.waiting.take() {
             let delay = self.clock.delay(last.slot, slot);
             self.output.write(last.frame, delay)?;
         } else {
-            self.palette = Palette::new(canvas.pixels());
+            self.palette = Palette::new(self.picture.palette_seeds(), canvas.pixels());
             self.output.begin(size, &self.palette)?;
         }
         let frame = changes(canvas.pixels(), size, &mut self.palette, &mut self.shown);

@@ -1,6 +1,6 @@
 //! The GIF's 256 colours.
 
-use crate::draw::{Colour, palette_seeds};
+use crate::draw::Colour;
 
 /// The colours, and which of them is nearest to any other.
 #[derive(Clone, Debug, Default)]
@@ -14,9 +14,8 @@ impl Palette {
     /// The number that leaves a pixel as it was.
     pub(super) const UNCHANGED: u8 = 255;
 
-    /// The colours of all pictures, and the commonest others of this one that differ enough.
-    pub(super) fn new(sample: &[[u8; 4]]) -> Self {
-        let mut colours = palette_seeds();
+    /// These colours, and the commonest others of a picture that differ enough.
+    pub(super) fn new(mut colours: Vec<Colour>, sample: &[[u8; 4]]) -> Self {
         colours.truncate(usize::from(Self::UNCHANGED));
         // First those that differ most from what is there, then ever finer tones.
         let common = by_count(sample);
