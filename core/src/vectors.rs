@@ -80,6 +80,25 @@ pub fn along<R: Real>(a: [R; 3], s: R, b: [R; 3]) -> [R; 3] {
     [ax + s * bx, ay + s * by, az + s * bz]
 }
 
+/// What is left of a across the unit vector n; exactly 0 if that is no more than rounding.
+///
+/// One subtraction leaves a rounding of |a| along n; after the second it is a rounding of what is left ("twice is
+/// enough", Parlett, *The Symmetric Eigenvalue Problem*, §6.9).
+#[inline(always)]
+pub fn across<R: Real>(a: [R; 3], n: [R; 3]) -> [R; 3] {
+    let once = along(a, -dot(n, a), n);
+    if size(once) <= R::from_f64(8.0) * R::EPSILON * size(a) {
+        return [R::ZERO; 3];
+    }
+    along(once, -dot(n, once), n)
+}
+
+/// |x| + |y| + |z|
+#[inline(always)]
+pub fn size<R: Real>([x, y, z]: [R; 3]) -> R {
+    x.abs() + y.abs() + z.abs()
+}
+
 /// a × b
 #[inline(always)]
 pub fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {

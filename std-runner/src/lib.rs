@@ -1,5 +1,6 @@
 //! Runs Hooke's scenes from the desktop.
 
+pub mod draw;
 pub mod model;
 pub mod record;
 pub mod scene;

@@ -5,6 +5,7 @@
 // A yardstick that cannot be made is a mistake in a test, and a test says so by stopping.
 #![allow(clippy::expect_used)]
 
+pub mod bounce_runs;
 pub mod energy;
 pub mod measure;
 pub mod moment;

@@ -3,7 +3,7 @@
 use super::contact::{Support, resting, support, touching};
 use crate::Real;
 use crate::types::Plane;
-use crate::vectors::{along, dot};
+use crate::vectors::{across, along, dot};
 use crate::world::System;
 
 /// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches.
@@ -56,7 +56,7 @@ impl<R: Real> Flight<R> {
         if gap.abs() <= R::from_f64(4.0) * touching(plane, self.position) {
             self.position = along(self.position, -gap, plane.normal);
         }
-        self.velocity = along(self.velocity, normal_velocity - dot(plane.normal, self.velocity), plane.normal);
+        self.velocity = along(across(self.velocity, plane.normal), normal_velocity, plane.normal);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::Real;
 use crate::types::Plane;
-use crate::vectors::{Columns, ColumnsMut, along, at, cross, dot, fetch, read, scaled, store};
+use crate::vectors::{Columns, ColumnsMut, across, at, cross, dot, fetch, read, scaled, size, store};
 use crate::world::System;
 
 /// Roundings that a position or a velocity may be away from a plane's and still count as on it: a dozen operations
@@ -29,7 +29,7 @@ impl<R: Real> Support<R> {
     pub fn allow(self, vector: [R; 3]) -> [R; 3] {
         match self {
             Self::None => vector,
-            Self::Normal(normal) => along(vector, -dot(normal, vector), normal),
+            Self::Normal(normal) => across(vector, normal),
             Self::AllBut(line) => scaled(dot(line, vector), line),
             Self::All => [R::ZERO; 3],
         }
@@ -39,14 +39,13 @@ impl<R: Real> Support<R> {
 /// The gap (m) up to which a particle counts as touching a plane.
 #[inline]
 pub fn touching<R: Real>(plane: &Plane<R>, position: [R; 3]) -> R {
-    let scale = position.iter().fold(plane.offset.abs(), |sum, component| sum + component.abs());
-    R::from_f64(ROUNDINGS) * R::EPSILON * scale
+    R::from_f64(ROUNDINGS) * R::EPSILON * (size(position) + plane.offset.abs())
 }
 
 /// The normal speed (m/s) up to which a particle counts as neither coming nor going.
 #[inline]
 pub fn resting<R: Real>(velocity: [R; 3]) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * velocity.iter().fold(R::ZERO, |sum, component| sum + component.abs())
+    R::from_f64(ROUNDINGS) * R::EPSILON * size(velocity)
 }
 
 /// Whether a particle lies on a plane, or beyond it, without moving away from it or into it.

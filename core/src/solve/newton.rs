@@ -9,7 +9,7 @@ use crate::collisions::support;
 use crate::sums::sum;
 use crate::types::StepReport;
 use crate::vectors::{advance_columns, along, at, copy_columns, dot, fetch, lend, put, read, scaled, store};
-use crate::world::View;
+use crate::world::{System, View};
 
 /// Newton iterations in one step.
 const MOST_ITERATIONS: u32 = 100;
@@ -106,7 +106,9 @@ pub fn one_linearisation<R: Real>(
 fn start<R: Real>(view: &mut View<'_, R>, dt: R, scratch: &mut Scratch<'_, R>, report: &mut StepReport) {
     let View { system, current, next, force_density, .. } = view;
     let (x, v) = (read(&current.position), read(&current.velocity));
-    system.accelerations(x, v, force_density, lend(&mut next.velocity), report);
+    // What planes hold up is decided by what presses, before they push back.
+    let unsupported = System { support: false, ..*system };
+    unsupported.accelerations(x, v, force_density, lend(&mut next.velocity), report);
     for slot in 0..system.plan.particles {
         let (velocity, a) = (fetch(v, slot), fetch(read(&next.velocity), slot));
         if slot >= system.plan.attached {

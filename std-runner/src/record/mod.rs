@@ -4,11 +4,15 @@ use hooke::Real;
 
 mod csv;
 mod decimal;
+mod gif;
 mod npz;
+mod png;
 mod sample;
 
 pub use csv::CsvRecorder;
+pub use gif::GifRecorder;
 pub use npz::NpzRecorder;
+pub use png::PngRecorder;
 pub use sample::{Element, Sample};
 
 /// One moment of a run.

@@ -1,0 +1,80 @@
+//! A numbered sequence of PNG pictures, for a film editor or an encoder of one's choice.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use ::png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
+use hooke::Real;
+
+use super::{Frame, RecordError, Recorder};
+use crate::draw::{Canvas, Picture};
+
+/// Writes each frame into a file of its own: for `frames/cloth.png`, into `frames/cloth-00000.png` and so on.
+pub struct PngRecorder {
+    path: PathBuf,
+    picture: Picture,
+    rows: Vec<u8>,
+}
+
+impl PngRecorder {
+    /// Makes the folder for the pictures, if it is not there.
+    ///
+    /// # Errors
+    /// When the folder can't be made.
+    pub fn create(path: &Path, picture: Picture) -> Result<Self, RecordError> {
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(|source| failure(folder, source))?;
+        }
+        Ok(Self { path: path.to_owned(), picture, rows: Vec::new() })
+    }
+
+    /// The file of a frame.
+    #[must_use]
+    pub fn numbered(path: &Path, number: u64) -> PathBuf {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let ending = path.extension().unwrap_or("png".as_ref()).to_string_lossy();
+        path.with_file_name(format!("{stem}-{number:05}.{ending}"))
+    }
+}
+
+impl<R: Real> Recorder<R> for PngRecorder {
+    fn record(&mut self, frame: &Frame<'_, R>) -> Result<(), RecordError> {
+        let canvas = self.picture.draw(frame.time, frame.position);
+        let path = Self::numbered(&self.path, frame.number);
+        let written = encode(canvas, &mut self.rows)
+            .map_err(|error| match error {
+                EncodingError::IoError(error) => error,
+                other => io::Error::other(other),
+            })
+            .and_then(|bytes| {
+                // Under its own name, a picture is always a whole one.
+                let partial = path.with_extension("part");
+                fs::write(&partial, bytes)?;
+                fs::rename(&partial, &path)
+            });
+        written.map_err(|source| failure(&path, source))
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), RecordError> {
+        Ok(())
+    }
+}
+
+fn encode(canvas: &Canvas, rows: &mut Vec<u8>) -> Result<Vec<u8>, EncodingError> {
+    rows.clear();
+    rows.extend(canvas.pixels().iter().flat_map(|[red, green, blue, _]| [*red, *green, *blue]));
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, canvas.width(), canvas.height());
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_compression(Compression::Fast);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(rows)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+fn failure(path: &Path, source: io::Error) -> RecordError {
+    RecordError { path: path.display().to_string(), source }
+}
