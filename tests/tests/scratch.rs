@@ -76,3 +76,107 @@ fn springs() {
         }
     }
 }
+use hooke_runner::{
+    draw::{Picture, Scenery},
+    record::{PngRecorder, Recorder},
+    scene::Scene,
+    simulate::{self, Options, Progress},
+};
+struct Quiet;
+impl Progress for Quiet {
+    fn reached(&self, _: f64, _: f64) {}
+}
+#[test]
+fn scenes() {
+    let only = std::env::var("ONLY").ok();
+    for e in std::fs::read_dir("../scenes").unwrap() {
+        let path = e.unwrap().path();
+        if path.extension().is_none_or(|x| x != "toml") {
+            continue;
+        }
+        if let Some(o) = &only {
+            if !path.to_string_lossy().contains(o.as_str()) {
+                continue;
+            }
+        }
+        let scene = Scene::load(&path).unwrap();
+        let mut settings = scene.settings().clone();
+        settings.frame_rate = 8.0;
+        let model = scene.model().unwrap();
+        let stop = std::sync::atomic::AtomicBool::new(false);
+        let stem = path.file_stem().unwrap().to_string_lossy().to_string();
+        let out = std::path::PathBuf::from(format!("/tmp/scenes/{stem}.png"));
+        std::fs::create_dir_all("/tmp/scenes").unwrap();
+        let s = simulate::run::<f64>(
+            &model,
+            &settings,
+            |_| {
+                let p = Picture::new(Scenery::new(&model, settings.gravity, &settings.name, &settings.camera));
+                Ok(vec![Box::new(PngRecorder::create(&out, p)?) as Box<dyn Recorder<f64>>])
+            },
+            &Options { ledger: true, interrupted: &stop, progress: &Quiet },
+        )
+        .unwrap();
+        let b = s.balance.unwrap();
+        println!(
+            "{stem}: {:?} steps {} dt {:?} hits {} capped {} rem {:.2e} unconv {} its {} lin {} fe {} ns {:?} choices {:?}",
+            s.ending,
+            s.steps,
+            s.time_step,
+            s.hits,
+            s.capped,
+            b.remainder() / b.scale(),
+            s.unconverged,
+            s.iterations,
+            s.linear_iterations,
+            s.force_evaluations,
+            s.nanoseconds_per_spring_step(),
+            s.choices.iter().map(|c| c.to_string()).collect::<Vec<_>>()
+        );
+    }
+}
+#[test]
+fn ledgers() {
+    let only = std::env::var("ONLY").ok();
+    for e in std::fs::read_dir("../scenes").unwrap() {
+        let path = e.unwrap().path();
+        if path.extension().is_none_or(|x| x != "toml") {
+            continue;
+        }
+        if let Some(o) = &only {
+            if !path.to_string_lossy().contains(o.as_str()) {
+                continue;
+            }
+        }
+        let scene = Scene::load(&path).unwrap();
+        let model = scene.model().unwrap();
+        let stop = std::sync::atomic::AtomicBool::new(false);
+        let stem = path.file_stem().unwrap().to_string_lossy().to_string();
+        let hooke_runner::scene::TimeStep::Seconds(dt0) = scene.settings().time_step else { continue };
+        for st in
+            [StepperName::Auto, StepperName::VelocityVerlet, StepperName::SemiImplicitEuler, StepperName::ImplicitEuler]
+        {
+            if st == StepperName::ImplicitEuler && model.springs.len() > 3000 {
+                continue;
+            }
+            print!("{stem} {st} ");
+            for k in 0..5 {
+                let mut settings = scene.settings().clone();
+                settings.stepper = st;
+                settings.tolerance = 1e-10;
+                settings.duration = settings.duration.min(1.0);
+                settings.time_step = hooke_runner::scene::TimeStep::Seconds(dt0 / 2f64.powi(k));
+                let s = simulate::run::<f64>(
+                    &model,
+                    &settings,
+                    |_| Ok(vec![]),
+                    &Options { ledger: true, interrupted: &stop, progress: &Quiet },
+                )
+                .unwrap();
+                let b = s.balance.unwrap();
+                print!(" {:.2e}({},{})", b.remainder() / b.scale(), s.hits, s.capped);
+            }
+            println!();
+        }
+    }
+}

@@ -12,6 +12,10 @@ use crate::world::System;
 /// and losses in a corner there can be infinitely many in a finite time, and only those on a single plane are summed.
 pub const MOST_BOUNCES: u32 = 10_000;
 
+/// Times that the planes of a corner are gone through to calm a particle in it: what calms it on one leaves some on the
+/// next, less each time.
+const MOST_ROUNDS: u32 = 64;
+
 /// A particle that nothing but a constant acceleration moves.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight<R> {
@@ -96,6 +100,7 @@ impl<'a, R: Real> Path<'a, R> {
         let mut bounces = Bounces::default();
         let mut rest = duration;
         while bounces.hits < MOST_BOUNCES {
+            bounces.lost += self.calm(flight);
             let a = self.acceleration(flight);
             let Some((tau, plane, _)) = self.next_hit(flight, a) else { break };
             if tau >= rest {
@@ -168,6 +173,30 @@ impl<'a, R: Real> Path<'a, R> {
             return ((v * v - R::from_f64(2.0) * pull * gap).at_least(R::ZERO).sqrt(), there);
         }
         ((-dot(plane.normal, there.velocity)).at_least(R::ZERO), there)
+    }
+
+    /// Takes from a particle that touches planes the velocities with which it would rise no further from them, or dent
+    /// them no deeper, than positions are rounded. In a corner there are infinitely many such bounces, and no sum for
+    /// them. Returns the kinetic energy lost, over the mass.
+    pub fn calm(&self, flight: &mut Flight<R>) -> f64 {
+        let before = dot(flight.velocity, flight.velocity);
+        for _ in 0..MOST_ROUNDS {
+            let mut calmed = false;
+            for plane in self.planes {
+                let speed = dot(plane.normal, flight.velocity);
+                let press = -dot(plane.normal, self.gravity);
+                let reach = touching(plane, flight.position);
+                let rests = plane.restitution < R::ONE && speed * speed <= R::from_f64(2.0) * press * reach;
+                if rests && speed.abs() > resting(flight.velocity) && plane.gap(flight.position) <= reach {
+                    flight.velocity = across(flight.velocity, plane.normal);
+                    calmed = true;
+                }
+            }
+            if !calmed {
+                break;
+            }
+        }
+        0.5 * (before - dot(flight.velocity, flight.velocity)).to_f64()
     }
 
     /// How long the bounces after an impact of this speed go on: 2 e u/(|g_n| (1 − e)); nothing if they never end.

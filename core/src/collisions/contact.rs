@@ -39,7 +39,7 @@ impl<R: Real> Support<R> {
 /// The gap (m) up to which a particle counts as touching a plane.
 #[inline]
 pub fn touching<R: Real>(plane: &Plane<R>, position: [R; 3]) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * (size(position) + plane.offset.abs())
+    R::from_f64(ROUNDINGS) * R::EPSILON * (size(position) + plane.extent)
 }
 
 /// The normal speed (m/s) up to which a particle counts as neither coming nor going.

@@ -200,16 +200,18 @@ impl<R: Real> Events<'_, R> {
             let speed = dot(plane.normal, flight.velocity);
             bounces.lost += half_square(speed);
             path.settle(&mut flight, plane, elapsed);
+            bounces.lost += path.calm(&mut flight);
             self.set(path, index, flight, until);
             return;
         }
         let a = path.acceleration(&flight);
         let (speed, impact) = path.impact(&flight, elapsed, plane, a);
+        flight = impact;
         let away = plane.restitution * speed;
         bounces.hits += 1;
         bounces.lost += half_square(speed) - half_square(away);
-        flight = impact;
         flight.put_on(plane, away);
+        bounces.lost += path.calm(&mut flight);
         let settling = path
             .settling_time(plane, speed)
             .filter(|settling| settling.to_f64() <= SETTLING_TIME && path.is_alone(&flight, plane, *settling));

@@ -14,6 +14,9 @@ pub struct Plane<R> {
     pub(crate) normal: [R; 3],
     pub(crate) offset: R,
     pub(crate) restitution: R,
+    /// The largest coordinate in the world that it is part of, m: positions near it come of such numbers, and are
+    /// rounded like them however small they are themselves.
+    pub(crate) extent: R,
 }
 
 impl<R: Real> Plane<R> {
@@ -41,7 +44,8 @@ impl<R: Real> Plane<R> {
         }
         let direction = normal.map(|component| component / largest);
         let unit = scaled(R::ONE / dot(direction, direction).sqrt(), direction);
-        Ok(Self { normal: unit, offset: dot(unit, point), restitution })
+        let offset = dot(unit, point);
+        Ok(Self { normal: unit, offset, restitution, extent: offset.abs() })
     }
 
     /// n, of length 1.
