@@ -1,6 +1,6 @@
 //! One particle between planes: where its path meets them, what a bounce does, and how it comes to rest.
 
-use super::contact::{Support, resting, support, touching};
+use super::contact::{Support, resting, support, support_by, touching};
 use crate::Real;
 use crate::types::Plane;
 use crate::vectors::{across, along, dot};
@@ -11,10 +11,6 @@ use crate::world::System;
 /// An elastic particle in a wedge of angle θ bounces at most ⌈π/θ⌉ times between two visits to its depth; with gravity
 /// and losses in a corner there can be infinitely many in a finite time, and only those on a single plane are summed.
 pub const MOST_BOUNCES: u32 = 10_000;
-
-/// Times that the planes of a corner are gone through to calm a particle in it: what calms it on one leaves some on the
-/// next, less each time.
-const MOST_ROUNDS: u32 = 64;
 
 /// A particle that nothing but a constant acceleration moves.
 #[derive(Clone, Copy, Debug)]
@@ -175,27 +171,23 @@ impl<'a, R: Real> Path<'a, R> {
         ((-dot(plane.normal, there.velocity)).at_least(R::ZERO), there)
     }
 
-    /// Takes from a particle that touches planes the velocities with which it would rise no further from them, or dent
-    /// them no deeper, than positions are rounded. In a corner there are infinitely many such bounces, and no sum for
-    /// them. Returns the kinetic energy lost, over the mass.
+    /// Takes from a particle that is pressed against planes the velocities with which it would rise no further from them,
+    /// or dent them no deeper, than positions are rounded. In a corner there are infinitely many such bounces, and no
+    /// sum for them. Returns the kinetic energy lost, over the mass.
     pub fn calm(&self, flight: &mut Flight<R>) -> f64 {
-        let before = dot(flight.velocity, flight.velocity);
-        for _ in 0..MOST_ROUNDS {
-            let mut calmed = false;
-            for plane in self.planes {
-                let speed = dot(plane.normal, flight.velocity);
-                let press = -dot(plane.normal, self.gravity);
-                let reach = touching(plane, flight.position);
-                let rests = plane.restitution < R::ONE && speed * speed <= R::from_f64(2.0) * press * reach;
-                if rests && speed.abs() > resting(flight.velocity) && plane.gap(flight.position) <= reach {
-                    flight.velocity = across(flight.velocity, plane.normal);
-                    calmed = true;
-                }
-            }
-            if !calmed {
-                break;
-            }
+        let held = support_by(self.planes, self.gravity, |plane| {
+            let speed = dot(plane.normal, flight.velocity);
+            let press = -dot(plane.normal, self.gravity);
+            let reach = touching(plane, flight.position);
+            plane.gap(flight.position) <= reach
+                && plane.restitution < R::ONE
+                && speed * speed <= R::from_f64(2.0) * press * reach
+        });
+        if held == Support::None {
+            return 0.0;
         }
+        let before = dot(flight.velocity, flight.velocity);
+        flight.velocity = held.allow(flight.velocity);
         0.5 * (before - dot(flight.velocity, flight.velocity)).to_f64()
     }
 

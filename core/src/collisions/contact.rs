@@ -55,27 +55,29 @@ pub fn lies_on<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3]) ->
 }
 
 /// The planes that hold a particle up against the acceleration a: those that it lies on and that a presses it
-/// against, so that what they leave of a is the allowed vector nearest to it (Gauss's principle of least constraint).
+/// against.
 pub fn support<R: Real>(planes: &[Plane<R>], position: [R; 3], velocity: [R; 3], a: [R; 3]) -> Support<R> {
-    let touched = |plane: &&Plane<R>| lies_on(plane, position, velocity);
-    let pressed = |plane: &Plane<R>| dot(plane.normal, a) < R::ZERO;
+    support_by(planes, a, |plane| lies_on(plane, position, velocity))
+}
+
+/// Of the planes that are touched, those that hold up against a, so that what they leave of it is the allowed vector
+/// nearest to it (Gauss's principle of least constraint).
+pub fn support_by<R: Real>(planes: &[Plane<R>], a: [R; 3], is_touched: impl Fn(&Plane<R>) -> bool) -> Support<R> {
+    let touched = |plane: &&Plane<R>| is_touched(plane);
+    let pressed = |plane: &&Plane<R>| dot(plane.normal, a) < R::ZERO;
     let allowed = |vector: [R; 3], but: [&Plane<R>; 2]| {
-        planes
-            .iter()
-            .filter(touched)
-            .filter(|plane| !but.iter().any(|other| core::ptr::eq(*plane, *other)))
-            .all(|plane| dot(plane.normal, vector) >= R::ZERO)
+        let others = planes.iter().filter(|plane| !but.iter().any(|other| core::ptr::eq(*plane, *other)));
+        others.filter(touched).all(|plane| dot(plane.normal, vector) >= R::ZERO)
     };
-    if !planes.iter().any(|plane| pressed(plane) && touched(&plane)) {
-        return Support::None;
-    }
-    for plane in planes.iter().filter(touched).filter(|plane| pressed(plane)) {
+    let mut presses = planes.iter().filter(pressed).filter(touched);
+    let Some(first) = presses.next() else { return Support::None };
+    for plane in core::iter::once(first).chain(presses) {
         let one = Support::Normal(plane.normal);
         if allowed(one.allow(a), [plane, plane]) {
             return one;
         }
     }
-    for first in planes.iter().filter(touched).filter(|plane| pressed(plane)) {
+    for first in planes.iter().filter(pressed).filter(touched) {
         for second in planes.iter().filter(touched) {
             let line = cross(first.normal, second.normal);
             let length = dot(line, line).sqrt();

@@ -23,8 +23,8 @@ pub struct Flights<R: Real, M: Storage> {
     velocity: [M::Particles<R>; 3],
     /// When the last event was, s.
     since: M::Particles<f64>,
-    /// When the next one will be, s.
-    until: M::Particles<f64>,
+    /// How long after that the next one will be, s.
+    tau: M::Particles<f64>,
     /// The plane of the next one; with [`SETTLES`] added, that on which it comes to rest then.
     plane: M::Particles<u32>,
     /// The state that they were flown to last: its time, and how often it had been changed from outside.
@@ -43,7 +43,7 @@ struct Events<'a, R> {
     position: ColumnsMut<'a, R>,
     velocity: ColumnsMut<'a, R>,
     since: &'a mut [f64],
-    until: &'a mut [f64],
+    tau: &'a mut [f64],
     plane: &'a mut [u32],
 }
 
@@ -55,7 +55,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
             position: [const { Column::EMPTY }; 3],
             velocity: [const { Column::EMPTY }; 3],
             since: Column::EMPTY,
-            until: Column::EMPTY,
+            tau: Column::EMPTY,
             plane: Column::EMPTY,
             belongs: (f64::NAN, 0),
             lost: 0.0,
@@ -67,7 +67,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
         let free = plan.free() as usize;
         self.position.iter_mut().chain(&mut self.velocity).try_for_each(|column| column.fit(free))?;
         self.since.fit(free)?;
-        self.until.fit(free)?;
+        self.tau.fit(free)?;
         self.plane.fit(free)
     }
 
@@ -122,7 +122,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
             position: self.position.each_mut().map(Column::items_mut),
             velocity: self.velocity.each_mut().map(Column::items_mut),
             since: self.since.items_mut(),
-            until: self.until.items_mut(),
+            tau: self.tau.items_mut(),
             plane: self.plane.items_mut(),
         }
     }
@@ -152,8 +152,8 @@ impl<R: Real> Events<'_, R> {
         store(&mut self.velocity, index, flight.velocity);
         put(self.since, index, now);
         let next = path.next_hit(&flight, path.acceleration(&flight));
-        let (until, plane) = next.map_or((NEVER, 0), |(tau, _, plane)| (now + tau.to_f64(), plane));
-        put(self.until, index, until);
+        let (tau, plane) = next.map_or((NEVER, 0), |(tau, _, plane)| (tau.to_f64(), plane));
+        put(self.tau, index, tau);
         put(self.plane, index, plane);
     }
 
@@ -161,7 +161,7 @@ impl<R: Real> Events<'_, R> {
     fn state_at(&mut self, system: &System<'_, R>, index: u32, slot: u32, time: f64) -> (Flight<R>, Bounces, f64) {
         let path = Path::of(system, slot, half());
         let mut bounces = Bounces::default();
-        while at(self.until, index) <= time {
+        while at(self.since, index) + at(self.tau, index) <= time {
             if bounces.hits == MOST_BOUNCES {
                 bounces.capped = true;
                 let mut stopped = self.last(index);
@@ -188,12 +188,14 @@ impl<R: Real> Events<'_, R> {
 
     /// The next event becomes the last one.
     fn pass_event(&mut self, path: &Path<'_, R>, index: u32, bounces: &mut Bounces) {
-        let (since, until) = (at(self.since, index), at(self.until, index));
-        let elapsed = R::from_f64(until - since);
+        // Not the difference of two times: late in a long run those are known less well than the flight between them.
+        let tau = at(self.tau, index);
+        let elapsed = R::from_f64(tau);
+        let until = at(self.since, index) + tau;
         let mut flight = self.last(index);
         let named = at(self.plane, index);
         let Some(plane) = path.planes.get((named & !SETTLES) as usize) else {
-            put(self.until, index, NEVER);
+            put(self.tau, index, NEVER);
             return;
         };
         if named & SETTLES != 0 {
@@ -217,7 +219,7 @@ impl<R: Real> Events<'_, R> {
             .filter(|settling| settling.to_f64() <= SETTLING_TIME && path.is_alone(&flight, plane, *settling));
         self.set(path, index, flight, until);
         if let Some(settling) = settling {
-            put(self.until, index, until + settling.to_f64());
+            put(self.tau, index, settling.to_f64());
             put(self.plane, index, named | SETTLES);
         }
     }

@@ -126,6 +126,7 @@ fn step<R: Real>(
             if hit.tau > R::ZERO {
                 report.add(&stepper.advance(&mut view.attached(), hit.tau));
                 refuse_non_finite(&view.attached())?;
+                keep_lying(&mut view.attached());
                 observer.advanced(view, hit.tau);
                 view.next.keep(view.system.plan.attached, &view.current);
             } else {
@@ -162,7 +163,30 @@ fn advance_to_hit<R: Real>(
     let mut attached = view.attached();
     report.add(&stepper.advance(&mut attached, rest));
     refuse_non_finite(&attached)?;
+    keep_lying(&mut attached);
     Ok(first_hit(&attached, rest))
+}
+
+/// Takes the roundings of a step from what lay on a plane before it and still does: where its sliding turns round,
+/// those of its fastest would else look like a motion of their own.
+fn keep_lying<R: Real>(view: &mut View<'_, R>) {
+    let View { system, current, next, .. } = view;
+    for plane in system.planes {
+        for slot in 0..system.plan.particles {
+            let (position, velocity) = (fetch(read(&current.position), slot), fetch(read(&current.velocity), slot));
+            if !lies_on(plane, position, velocity) || !system.is_dynamic(slot) {
+                continue;
+            }
+            let mut after =
+                Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
+            let rounding = resting(velocity) + resting(after.velocity);
+            if dot(plane.normal, after.velocity).abs() <= rounding {
+                after.put_on(plane, R::ZERO);
+                store(&mut next.position, slot, after.position);
+                store(&mut next.velocity, slot, after.velocity);
+            }
+        }
+    }
 }
 
 /// The first hit of any particle between the current state and the next one, `duration` seconds later.
