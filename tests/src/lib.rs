@@ -14,5 +14,6 @@ pub mod problems;
 pub mod reference;
 pub mod right_hand_side;
 pub mod root;
+pub mod scene_runs;
 pub mod stability;
 pub mod trusted;
