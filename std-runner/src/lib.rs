@@ -1,6 +1,9 @@
 //! Runs Hooke's scenes from the desktop.
 
+pub mod advice;
+pub mod cli;
 pub mod model;
 pub mod record;
 pub mod scene;
 pub mod simulate;
+mod units;

@@ -29,6 +29,8 @@ use read::Source;
 use size::Size;
 use std::ops::Add;
 
+pub(crate) use size::in_units;
+
 pub use error::SceneError;
 pub use names::{CollisionForm, Precision, StepperName};
 pub use overrides::Overrides;
@@ -113,6 +115,12 @@ impl Scene {
         }
         model.planes.extend(self.file.plane.iter().map(plane::Plane::expand));
         Ok(model)
+    }
+
+    /// About how many bytes of memory a run of it takes.
+    #[must_use]
+    pub fn bytes_needed(&self) -> u128 {
+        self.size().bytes()
     }
 
     /// The key and number of each generator, in the order that their particles are numbered.
