@@ -32,7 +32,7 @@ fn prefixed(value: f64, unit: &str, prefixes: &[(f64, &str)]) -> String {
     // What rounds up to a thousand belongs to the next prefix.
     let fitting = prefixes.iter().find(|(factor, _)| size >= 0.999_95 * factor);
     match fitting {
-        Some((factor, prefix)) if size < 1e6 => format!("{} {prefix}{unit}", short(value / factor)),
+        Some((factor, prefix)) if size < 1e9 => format!("{} {prefix}{unit}", short(value / factor)),
         _ if size == 0.0 => format!("0 {unit}"),
         _ => format!("{value:.3e} {unit}"),
     }
@@ -51,4 +51,16 @@ pub(crate) fn metres(value: f64) -> String {
 /// `3 times`, `1.02 times`.
 pub(crate) fn times(ratio: f64) -> String {
     if ratio < 1e6 { format!("{} times", short(ratio)) } else { format!("{ratio:.1e} times") }
+}
+
+/// `1.5 GB`, by thousands.
+pub(crate) fn bytes(number: u128) -> String {
+    let mut amount = number as f64;
+    for unit in ["bytes", "kB", "MB", "GB", "TB"] {
+        if amount < 999.95 {
+            return format!("{} {unit}", short(amount));
+        }
+        amount /= 1000.0;
+    }
+    format!("{} PB", short(amount))
 }

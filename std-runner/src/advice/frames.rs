@@ -1,8 +1,7 @@
 //! How often the run is looked at, and what that costs.
 
 use super::{Advice, Subject, Topic};
-use crate::scene::in_units;
-use crate::units::seconds;
+use crate::units::{bytes, seconds, short};
 
 /// Bytes of recordings that are worth a word.
 const LARGE: u128 = 1_000_000_000;
@@ -15,9 +14,9 @@ pub(super) fn between_steps(subject: &Subject<'_>) -> Option<Advice> {
         return None;
     }
     let message = format!(
-        "{rate} frames per second are more than the {:.6} steps per second that steps of {} make: frames between steps \
+        "{rate} frames per second are more than the {} steps per second that steps of {} make: frames between steps \
          are interpolated",
-        1.0 / time_step,
+        short(1.0 / time_step),
         seconds(time_step)
     );
     let remedy =
@@ -34,7 +33,7 @@ pub(super) fn large(subject: &Subject<'_>) -> Option<Advice> {
         "{} frames of {} particles take about {} of disk",
         subject.start.schedule.frames(),
         subject.model.particles.len(),
-        in_units(subject.recorded_bytes)
+        bytes(subject.recorded_bytes)
     );
     Some(Advice { topic: Topic::LargeRecordings, message, remedy: "use a lower --frame-rate".to_owned() })
 }

@@ -10,9 +10,9 @@ use super::scene::{Loaded, warning};
 use super::table::rows;
 use crate::advice::{Subject, advise, largest_stable_step, limit_in_words, needed, skipped};
 use crate::model::{Hold, Model};
-use crate::scene::{Settings, StepperName, TimeStep, in_units};
+use crate::scene::{Settings, StepperName, TimeStep};
 use crate::simulate::{Start, choose_time_step};
-use crate::units::{count, counted, seconds};
+use crate::units::{bytes, count, seconds};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
@@ -68,7 +68,7 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
         row("particles", format!("{}{kinds}", count(model.particles.len() as u64))),
         row("springs", count(model.springs.len() as u64)),
         row("planes", count(model.planes.len() as u64)),
-        row("memory", format!("about {}", in_units(scene.bytes_needed()))),
+        row("memory", format!("about {}", bytes(scene.bytes_needed()))),
         row("method", format!("{}, {}, {}", settings.stepper, settings.precision, settings.collision)),
         row("steps", steps(settings, start)),
         row("frames", format!("{}, {} a second", count(start.schedule.frames()), settings.frame_rate)),
@@ -78,7 +78,7 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
 fn steps(settings: &Settings, start: &Start) -> String {
     let (number, duration) = (start.schedule.steps(), seconds(settings.duration));
     let Some(time_step) = start.time_step else {
-        return format!("{} for {duration}, from frame to frame: particles fly exactly", counted(number, "step"));
+        return format!("{} for {duration}, from frame to frame: particles fly exactly", count(number));
     };
     let chosen = if settings.time_step == TimeStep::Auto { " (chosen)" } else { "" };
     let last =

@@ -62,7 +62,11 @@ fn stopped(error: RunError, outputs: &Outputs) -> Result<Outcome, Failure> {
             Ok(Outcome::Done)
         }
         RunError::Record { error, frames } => {
-            let message = format!("{error}; the {} before it can be read", counted(frames, "frame"));
+            let readable = match frames {
+                0 => "no frame was recorded".to_owned(),
+                frames => format!("what was recorded before can be read: {}", counted(frames, "frame")),
+            };
+            let message = format!("{error}; {readable}");
             Err(Failure::failed(message, "make room there, record fewer frames (--frame-rate), or record elsewhere"))
         }
     }

@@ -29,8 +29,6 @@ use read::Source;
 use size::Size;
 use std::ops::Add;
 
-pub(crate) use size::in_units;
-
 pub use error::SceneError;
 pub use names::{CollisionForm, Precision, StepperName};
 pub use overrides::Overrides;

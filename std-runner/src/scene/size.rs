@@ -69,7 +69,7 @@ pub(super) fn available_memory() -> u64 {
 }
 
 /// `1.5 GB`, by thousands.
-pub(crate) fn in_units(bytes: u128) -> String {
+fn in_units(bytes: u128) -> String {
     let mut amount = bytes as f64;
     for unit in ["bytes", "kB", "MB", "GB", "TB"] {
         if amount < 1000.0 {

@@ -195,8 +195,7 @@ impl<R: Sample> Run<R> {
                 }
                 self.record(time, between.into_iter())?;
             }
-            // The next frame is at the end of this step unless it comes before the end of the next.
-            if self.summary.frames < schedule.frames() && !is_later(&schedule, self.summary.frames, step) {
+            if self.summary.frames < schedule.frames() && !schedule.is_after_end(self.summary.frames, step) {
                 self.record(schedule.frame_time(self.summary.frames), moments(&world.view()))?;
             }
             options.progress.reached(end, schedule.step_end(schedule.steps()));
@@ -301,11 +300,4 @@ struct Early<R> {
 /// All particles, in the order of their numbers.
 fn moments<R: Sample>(view: &View<'_, R>) -> impl Iterator<Item = Moment<R>> {
     view.states().map(|(position, velocity)| (position.into(), velocity.into()))
-}
-
-/// Whether a frame is taken after the end of a step: not at it, up to rounding.
-fn is_later(schedule: &Schedule, frame: u64, step: u64) -> bool {
-    step < schedule.steps()
-        && schedule.is_before_end(frame, step + 1)
-        && schedule.frame_time(frame) > schedule.step_end(step)
 }

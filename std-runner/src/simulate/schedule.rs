@@ -74,6 +74,12 @@ impl Schedule {
     pub fn is_before_end(&self, frame: u64, step: u64) -> bool {
         self.frame_time(frame) < self.step_end(step) - SAME * self.step_length(step)
     }
+
+    /// Whether a frame is taken after the end of a step: not at it, up to rounding.
+    #[must_use]
+    pub fn is_after_end(&self, frame: u64, step: u64) -> bool {
+        self.frame_time(frame) > self.step_end(step) + SAME * self.step_length(step)
+    }
 }
 
 /// How many whole parts and a rest a ratio is; a rest that is only rounding does not count.

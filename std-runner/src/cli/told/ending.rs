@@ -1,14 +1,12 @@
 //! Whether a run is what was asked for, and if not, why and what to do.
 
-use hooke::StabilityBound;
-
 use crate::advice::{Remedy, largest_stable_step, limit_in_words};
 use crate::cli::Outcome;
 use crate::cli::failure::Failure;
 use crate::model::Model;
 use crate::scene::{Precision, Settings, StepperName};
 use crate::simulate::{Ending, Start, Summary};
-use crate::units::{count, counted, seconds, times};
+use crate::units::{count, counted, seconds, short, times};
 
 /// What the caller and the person are told.
 pub(in crate::cli) fn outcome(
@@ -63,9 +61,14 @@ fn cause(model: &Model, settings: &Settings, start: &Start) -> (String, String) 
     };
     let flags = remedy.flags(settings);
     let limit = largest_stable_step(stepper, &bound);
-    // For explicit Euler the bound that its remedy keeps is the one to compare with: its own may be 0.
+    // Its bound says where it may be stable, and is often 0: it is not what a time step can be compared with.
     if stepper == StepperName::ExplicitEuler {
-        let cause = format!("{}, which {stepper} does not step stably", against(&bound, time_step, model));
+        let cause = format!(
+            "a time step of {} is too long for {stepper}: the fastest motion, {} rad/s at {}, gains energy in every step",
+            seconds(time_step),
+            short(bound.frequency),
+            limit_in_words(model, &bound)
+        );
         return (cause, format!("use {flags}, or --stepper implicit-euler"));
     }
     if time_step > limit {
@@ -85,15 +88,6 @@ fn cause(model: &Model, settings: &Settings, start: &Start) -> (String, String) 
     );
     let wider = if settings.precision == Precision::F32 { ", or --precision f64" } else { "" };
     (cause, format!("use --time-step {:?}{wider}", time_step / 4.0))
-}
-
-fn against(bound: &StabilityBound, time_step: f64, model: &Model) -> String {
-    format!(
-        "with a time step of {}, the fastest motion, {} rad/s by {}, gains energy",
-        seconds(time_step),
-        crate::units::short(bound.frequency),
-        limit_in_words(model, bound)
-    )
 }
 
 fn unconverged(settings: &Settings, summary: &Summary, recorded: bool) -> Failure {

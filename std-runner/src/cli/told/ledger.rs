@@ -12,8 +12,9 @@ pub(super) fn ledger(balance: &Balance) -> Vec<String> {
         ("gravitational", balance.gravitational),
         ("lost to damping", balance.lost_to_damping),
         ("lost in impacts", balance.lost_in_impacts),
-        ("work of moving pins", -balance.work_of_pins),
-        ("at the start", -balance.opened_with),
+        // From 0, so that nothing is told as 0 and not as −0.
+        ("work of moving pins", 0.0 - balance.work_of_pins),
+        ("at the start", 0.0 - balance.opened_with),
         ("the integrator's own error", balance.remainder()),
     ];
     let values = numbers(&entries.map(|(_, value)| value));

@@ -4,7 +4,7 @@ use super::ledger::ledger;
 use crate::advice::skipped;
 use crate::cli::table::rows;
 use crate::scene::Settings;
-use crate::simulate::Summary;
+use crate::simulate::{Ending, Summary};
 use crate::units::{count, counted, seconds};
 
 /// All of it, for standard error.
@@ -28,7 +28,10 @@ pub(in crate::cli) fn summary(settings: &Settings, summary: &Summary, files: &[S
     facts.extend(skipped(&summary.plan).into_iter().map(|skipped| fact("left out", skipped)));
     let mut lines = vec![settings.name.clone()];
     lines.extend(rows(&facts, 2));
-    if let Some(balance) = &summary.balance {
+    // Energies of a state about to overflow tell nothing.
+    if let Some(balance) = &summary.balance
+        && !matches!(summary.ending, Ending::NonFinite { .. })
+    {
         lines.extend(ledger(balance));
     }
     lines.join("\n")
