@@ -35,7 +35,7 @@ fn an_output_that_is_a_folder() {
 fn scenes() {
     refused("gravty = [0.0, 0.0, 1.0]", &[], &["scene.toml:1:1", "gravty", "gravity"]);
     refused("duration = -1.0", &[], &["scene.toml:1:", "duration", "-1.0", "more than 0"]);
-    refused("[[particle]]\nmass = 1e-300", &[], &["particle 0", "--precision f64"]);
+    refused("[[particle]]\nposition = [0.0, 0.0, 0.0]\nmass = 1e-300", &[], &["particle 0", "--precision f64"]);
     let folder = Folder::empty();
     folder.hooke(&["run", "nothing.toml"]).exits(2).tells(&["nothing.toml", "help:"]);
     folder.hooke(&["check", "nothing.toml"]).exits(2).prints_nothing().tells(&["nothing.toml"]);

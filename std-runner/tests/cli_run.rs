@@ -64,7 +64,7 @@ fn flags_win_over_the_scene() {
 #[test]
 fn every_frame_is_the_state_at_its_time() {
     let scene = "duration = 0.3\ntime_step = 1e-3\nframe_rate = 50\nprecision = \"f64\"\n\
-                 stepper = \"semi-implicit-euler\"\n[[particle]]\nvelocity = [2.0, 0.0, 0.0]";
+                 stepper = \"semi-implicit-euler\"\n[[particle]]\nposition = [0.0, 0.0, 0.0]\nvelocity = [2.0, 0.0, 0.0]";
     let folder = Folder::with(scene);
     folder.hooke(&["run", "scene.toml", "--out", "a.csv"]).exits(0);
     let text = fs::read_to_string(folder.file("a.csv")).unwrap();

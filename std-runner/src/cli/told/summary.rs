@@ -96,7 +96,13 @@ fn solver(settings: &Settings, summary: &Summary) -> Vec<[String; 2]> {
         count(summary.linear_iterations),
         per_step(summary.linear_iterations),
     );
-    let residual = format!("{:.1e} at most; the tolerance is {:.1e}", summary.residual, settings.tolerance);
+    // A step is solved, too, where rounding leaves nothing to improve.
+    let allowed = if summary.residual > settings.tolerance && summary.unconverged == 0 {
+        format!(", where rounding in {} allows no less", settings.precision)
+    } else {
+        String::new()
+    };
+    let residual = format!("{:.1e} at most; the tolerance is {:.1e}{allowed}", summary.residual, settings.tolerance);
     let unconverged = if summary.unconverged == 0 {
         "none".to_owned()
     } else {
