@@ -7,23 +7,26 @@ use crate::cli::table::{numbers, rows};
 /// One line an energy, and what the integrator itself added or lost.
 pub(super) fn ledger(balance: &Balance) -> Vec<String> {
     let entries = [
-        ("kinetic", balance.kinetic),
-        ("elastic", balance.elastic),
-        ("gravitational", balance.gravitational),
-        ("lost to damping", balance.lost_to_damping),
-        ("lost in impacts", balance.lost_in_impacts),
-        // From 0, so that nothing is told as 0 and not as −0.
-        ("work of moving pins", 0.0 - balance.work_of_pins),
-        ("at the start", 0.0 - balance.opened_with),
-        ("the integrator's own error", balance.remainder()),
+        (" ", "kinetic", balance.kinetic),
+        ("+", "elastic", balance.elastic),
+        ("+", "gravitational", balance.gravitational),
+        ("+", "lost to damping", balance.lost_to_damping),
+        ("+", "lost in impacts", balance.lost_in_impacts),
+        ("-", "work of moving pins", balance.work_of_pins),
+        ("-", "at the start", balance.opened_with),
+        ("=", "the integrator's own error", balance.remainder()),
     ];
-    let values = numbers(&entries.map(|(_, value)| value));
-    let mut table: Vec<[String; 3]> =
-        entries.iter().zip(values).map(|((name, _), value)| [(*name).to_owned(), value, String::new()]).collect();
+    // 0 is added so that nothing is told as 0 and not as -0.
+    let values = numbers(&entries.map(|(.., value)| value + 0.0));
+    let mut table: Vec<[String; 4]> = entries
+        .iter()
+        .zip(values)
+        .map(|((sign, name, _), value)| [(*sign).to_owned(), (*name).to_owned(), value, String::new()])
+        .collect();
     if let Some([.., note]) = table.last_mut() {
         *note = relative(balance);
     }
-    let mut lines = vec!["energy ledger, J: the lines above the last add up to it".to_owned()];
+    let mut lines = vec!["energy ledger, J".to_owned()];
     lines.extend(rows(&table, 2));
     lines
 }
