@@ -1,7 +1,10 @@
 //! Runs Hooke's scenes from the desktop.
 
+pub mod advice;
+pub mod cli;
 pub mod draw;
 pub mod model;
 pub mod record;
 pub mod scene;
 pub mod simulate;
+mod units;

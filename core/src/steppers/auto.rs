@@ -95,7 +95,9 @@ impl<R: Real, M: Storage> Auto<R, M> {
 }
 
 impl Choice {
-    fn of(bound: Option<StabilityBound>, time_step: f64) -> Self {
+    /// What [`Auto`] chooses for a time step (s) within these bounds.
+    #[must_use]
+    pub fn of(bound: Option<StabilityBound>, time_step: f64) -> Self {
         let chosen = match bound {
             None => Chosen::Flight,
             Some(bound) if time_step <= MARGIN * bound.velocity_verlet => Chosen::VelocityVerlet,

@@ -115,6 +115,12 @@ impl Scene {
         Ok(model)
     }
 
+    /// About how many bytes of memory a run of it takes.
+    #[must_use]
+    pub fn bytes_needed(&self) -> u128 {
+        self.size().bytes()
+    }
+
     /// The key and number of each generator, in the order that their particles are numbered.
     fn generators(&self) -> impl Iterator<Item = (&'static str, usize, &dyn Generator)> {
         fn of<'a, T: Generator>(

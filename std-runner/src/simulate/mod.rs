@@ -13,7 +13,7 @@ mod tracks;
 pub use build::{BuildError, HeapWorld, world};
 pub use heap::{Heap, HeapColumn};
 pub use method::{AnyResponse, AnyStepper};
-pub use run::{Options, Progress, run};
+pub use run::{Options, Progress, RunError, Start, run};
 pub use schedule::Schedule;
 pub use summary::{Ending, Summary};
 pub use time_step::choose_time_step;

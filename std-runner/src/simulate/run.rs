@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use hooke::{Ledger, Observer, StepError, StepReport, View};
+use hooke::{Ledger, Observer, Plan, Real, StabilityBound, StepError, StepReport, View};
 
 use super::build::{BuildError, HeapWorld, world};
 use super::interpolate::{Moment, hermite};
@@ -22,7 +22,7 @@ pub struct Options<'a> {
     pub ledger: bool,
     /// Set from outside to end the run after the step that it is at.
     pub interrupted: &'a AtomicBool,
-    /// Told of each frame.
+    /// Told of each step.
     pub progress: &'a dyn Progress,
 }
 
@@ -38,12 +38,51 @@ pub enum RunError {
     /// The model is out of the range of its precision.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A frame could not be written.
+    /// A recording could not be begun. Nothing has been stepped.
     #[error(transparent)]
-    Record(#[from] RecordError),
+    Begin(RecordError),
+    /// A frame could not be written.
+    #[error("{error}")]
+    Record {
+        /// Why.
+        error: RecordError,
+        /// The frames that every recording has.
+        frames: u64,
+    },
 }
 
-/// Steps a model through its duration and records its frames, as they are made.
+/// What is known of a run before its first step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// Its steps and frames.
+    pub schedule: Schedule,
+    /// What the world needs.
+    pub plan: Plan,
+    /// The stability bounds; nothing where no spring pulls at a free particle.
+    pub bound: Option<StabilityBound>,
+    /// The time step, s; nothing where particles fly from frame to frame.
+    pub time_step: Option<f64>,
+}
+
+impl Start {
+    /// Of a model that is stepped in the precision `R`.
+    ///
+    /// # Errors
+    /// If the model does not fit that precision.
+    pub fn of<R: Real>(model: &Model, settings: &Settings) -> Result<Self, BuildError> {
+        Ok(Self::in_world(&mut world::<R>(model, settings.gravity)?, settings))
+    }
+
+    fn in_world<R: Real>(world: &mut HeapWorld<R>, settings: &Settings) -> Self {
+        let view = world.view();
+        let bound = view.stability();
+        let time_step = choose_time_step(settings, view.plan(), bound.as_ref());
+        let schedule = Schedule::new(settings.duration, time_step, settings.frame_rate);
+        Self { schedule, plan: *view.plan(), bound, time_step }
+    }
+}
+
+/// Steps a model through its duration and records its frames, as they are made, to what `begin` opens for them.
 ///
 /// # Errors
 /// If the model does not fit the precision `R`, or a frame cannot be written. That a simulation diverges is not an error
@@ -51,31 +90,28 @@ pub enum RunError {
 pub fn run<R: Sample>(
     model: &Model,
     settings: &Settings,
-    schedule_from: impl FnOnce(&Schedule) -> Result<Vec<Box<dyn Recorder<R>>>, RecordError>,
+    begin: impl FnOnce(&Start) -> Result<Vec<Box<dyn Recorder<R>>>, RecordError>,
     options: &Options<'_>,
 ) -> Result<Summary, RunError> {
     let mut world = world::<R>(model, settings.gravity)?;
     let tracks = Tracks::of(model);
-    let view = world.view();
-    let bound = view.stability();
-    let time_step = choose_time_step(settings, view.plan(), bound.as_ref());
-    let schedule = Schedule::new(settings.duration, time_step, settings.frame_rate);
+    let start = Start::in_world(&mut world, settings);
     let mut run = Run {
-        recorders: schedule_from(&schedule)?,
+        recorders: begin(&start).map_err(RunError::Begin)?,
         position: Vec::with_capacity(model.particles.len()),
         velocity: Vec::with_capacity(model.particles.len()),
-        summary: summary(schedule, &view, time_step),
+        summary: summary(start),
         method: Method {
             stepper: AnyStepper::named(settings.stepper, settings.tolerance),
             response: AnyResponse::named(settings.collision),
-            ledger: options.ledger.then(|| Ledger::open(&view)),
+            ledger: options.ledger.then(|| Ledger::open(&world.view())),
         },
     };
     let began = Instant::now();
     let stepped = run.steps(&mut world, &tracks, options);
     let finished = run.recorders.into_iter().try_for_each(Recorder::finish);
-    stepped?;
-    finished?;
+    let frames = run.summary.frames;
+    stepped.and(finished).map_err(|error| RunError::Record { error, frames })?;
     run.summary.stepping = began.elapsed().saturating_sub(run.summary.recording);
     let view = world.view();
     run.summary.time = view.time();
@@ -83,16 +119,16 @@ pub fn run<R: Sample>(
     Ok(run.summary)
 }
 
-fn summary<R: Sample>(schedule: Schedule, view: &View<'_, R>, time_step: Option<f64>) -> Summary {
+fn summary(start: Start) -> Summary {
     Summary {
         ending: Ending::Finished,
         time: 0.0,
-        schedule,
+        schedule: start.schedule,
         steps: 0,
         frames: 0,
-        plan: *view.plan(),
-        bound: view.stability(),
-        time_step,
+        plan: start.plan,
+        bound: start.bound,
+        time_step: start.time_step,
         choices: Vec::new(),
         stepping: Duration::ZERO,
         recording: Duration::ZERO,
@@ -140,9 +176,10 @@ impl<R: Sample> Run<R> {
             let early = self.frames_before_end(world, step);
             let before: Vec<Moment<R>> = if early.is_empty() { Vec::new() } else { moments(&world.view()).collect() };
             if let Err(error) = self.step(world, tracks, step) {
-                if let StepError::NonFinite { particle } = error {
-                    self.summary.ending = Ending::NonFinite { particle };
-                }
+                self.summary.ending = match error {
+                    StepError::NonFinite { particle } => Ending::NonFinite { particle },
+                    other => Ending::Refused(other),
+                };
                 return Ok(());
             }
             self.summary.steps += 1;
@@ -216,8 +253,8 @@ impl<R: Sample> Run<R> {
 
     fn record(&mut self, time: f64, moments: impl Iterator<Item = Moment<R>>) -> Result<(), RecordError> {
         let number = self.summary.frames;
-        self.summary.frames += 1;
         if self.recorders.is_empty() {
+            self.summary.frames += 1;
             return Ok(());
         }
         let began = Instant::now();
@@ -230,6 +267,7 @@ impl<R: Sample> Run<R> {
         let frame = Frame { number, time, position: &self.position, velocity: &self.velocity };
         let recorded = self.recorders.iter_mut().try_for_each(|recorder| recorder.record(&frame));
         self.summary.recording += began.elapsed();
+        self.summary.frames += u64::from(recorded.is_ok());
         recorded
     }
 }

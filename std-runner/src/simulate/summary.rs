@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use hooke::{Balance, Choice, Plan, StabilityBound};
+use hooke::{Balance, Choice, Plan, StabilityBound, StepError};
 
 use super::schedule::Schedule;
 
@@ -18,6 +18,8 @@ pub enum Ending {
         /// The first such particle by number.
         particle: u32,
     },
+    /// A step could not be taken for another reason.
+    Refused(StepError),
 }
 
 /// What happened in a run.

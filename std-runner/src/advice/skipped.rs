@@ -1,0 +1,56 @@
+//! The plan of a world in plain words.
+
+use hooke::{Coverage, Plan};
+
+use crate::units::{count, counted};
+
+/// What every step computes.
+#[must_use]
+pub fn needed(plan: &Plan) -> Vec<String> {
+    let mut lines = Vec::new();
+    if plan.gravity {
+        lines.push("gravity".to_owned());
+    }
+    if plan.attached > 0 {
+        let damped = match plan.damped {
+            Coverage::None => "none of them damped",
+            Coverage::Some => "some of them damped",
+            Coverage::All => "all of them damped",
+        };
+        let springs = counted(u64::from(plan.springs), "spring");
+        lines.push(format!("the forces of {springs}, {damped}, on {}", counted(u64::from(plan.attached), "particle")));
+    }
+    if plan.planes > 0 {
+        lines.push(format!("hits on {}", counted(u64::from(plan.planes), "plane")));
+    }
+    lines
+}
+
+/// What no step computes, and why.
+#[must_use]
+pub fn skipped(plan: &Plan) -> Vec<String> {
+    let mut lines = Vec::new();
+    if !plan.gravity {
+        lines.push("gravity: it is 0".to_owned());
+    }
+    if plan.springs == 0 {
+        lines.push("spring forces: there are no springs".to_owned());
+    } else {
+        if plan.free() > 0 {
+            let free = plan.free();
+            let pulls = if free == 1 { "no spring pulls at it" } else { "no spring pulls at them" };
+            lines.push(format!(
+                "spring forces on {} of {}: {pulls}",
+                count(u64::from(free)),
+                counted(u64::from(plan.particles), "particle")
+            ));
+        }
+        if plan.damped == Coverage::None {
+            lines.push("spring damping: no spring is damped, so the forces read no velocities".to_owned());
+        }
+    }
+    if plan.planes == 0 {
+        lines.push("hits: there are no planes".to_owned());
+    }
+    lines
+}

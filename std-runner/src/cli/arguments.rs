@@ -1,0 +1,104 @@
+//! What can be asked.
+
+use std::path::PathBuf;
+
+use crate::scene::{Overrides, Starter};
+
+const EXAMPLES: &str = "\
+Examples:
+  hooke new rope                              write rope.toml, a scene to start from
+  hooke check rope.toml                       what it needs, and which time steps are stable
+  hooke run rope.toml --out rope.csv          simulate it, and record every frame
+  hooke run rope.toml --out - | head          the same, to standard output
+
+Units are SI: metres, seconds, kilograms, newtons.
+Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted.";
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  hooke run cloth.toml                                    only the summary
+  hooke run cloth.toml --out cloth.npz                    for numpy.load
+  hooke run cloth.toml --out cloth.csv --out cloth.npz    both
+  hooke run cloth.toml --out - --frame-rate 10            CSV to standard output
+  hooke run cloth.toml --stepper velocity-verlet --time-step 1e-4 --precision f64
+
+CSV has a row for each particle of each frame: frame,time,particle,x,y,z,vx,vy,vz (s, m, m/s).
+NPZ has the arrays time (F), position (F, P, 3), velocity (F, P, 3), springs (S, 2).
+
+Ctrl-C ends the run after the step it is at and leaves every recording readable; a second one ends it at once.
+Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted.";
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  hooke check rope.toml
+  hooke check rope.toml --stepper explicit-euler --time-step 1e-3
+
+Warnings do not change the exit code: 0 if the scene can be run, 2 if it is wrong.";
+
+const NEW_EXAMPLES: &str = "\
+Examples:
+  hooke new cloth                 writes cloth.toml
+  hooke new cloth curtain.toml    writes curtain.toml
+  hooke new cloth - | less        shows it";
+
+/// Physics-based animation: particles joined by springs, stepped and recorded.
+#[derive(Clone, Debug, clap::Parser)]
+#[command(name = "hooke", version, after_help = EXAMPLES, max_term_width = 110)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub(super) verb: Verb,
+}
+
+#[derive(Clone, Debug, clap::Subcommand)]
+pub(super) enum Verb {
+    /// Simulate a scene and record its frames.
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(RunArguments),
+    /// Explain a scene: what it needs, what can be skipped, which time steps are stable, what will go wrong.
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(CheckArguments),
+    /// Write a scene to start from.
+    #[command(after_help = NEW_EXAMPLES)]
+    New(NewArguments),
+    /// Print the JSON Schema of scene files, for editors.
+    Schema,
+    /// Print the completions of this command line for a shell.
+    Completions {
+        /// Which shell.
+        shell: clap_complete::Shell,
+    },
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct RunArguments {
+    /// The scene file, TOML or JSON.
+    pub(super) scene: PathBuf,
+    /// Where to record to; the ending says how: .csv or .npz. Repeat it for more than one; - is CSV to standard output.
+    /// Without it nothing is recorded.
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) out: Vec<PathBuf>,
+    /// Do not keep the energy ledger, which costs two passes over the springs a step.
+    #[arg(long)]
+    pub(super) no_ledger: bool,
+    #[command(flatten, next_help_heading = "In place of what the scene says")]
+    pub(super) overrides: Overrides,
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct CheckArguments {
+    /// The scene file, TOML or JSON.
+    pub(super) scene: PathBuf,
+    #[command(flatten, next_help_heading = "In place of what the scene says")]
+    pub(super) overrides: Overrides,
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct NewArguments {
+    /// Which one.
+    pub(super) starter: Starter,
+    /// Where to write it; - is standard output. Default: the starter's name, in this folder.
+    pub(super) file: Option<PathBuf>,
+    /// Replace the file if it exists.
+    #[arg(long)]
+    pub(super) force: bool,
+}

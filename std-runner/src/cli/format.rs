@@ -1,0 +1,71 @@
+//! The formats that frames are recorded in.
+
+use std::fs::File;
+use std::path::Path;
+
+use crate::model::Model;
+use crate::record::{CsvRecorder, NpzRecorder, RecordError, Recorder, Sample};
+use crate::simulate::Start;
+
+/// What the ending of a file chooses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Format {
+    Csv,
+    Npz,
+}
+
+/// What is recorded: all that a recorder may have to know before the first frame.
+#[derive(Clone, Copy)]
+pub(super) struct Recording<'a> {
+    pub(super) model: &'a Model,
+    pub(super) start: &'a Start,
+}
+
+impl Format {
+    pub(super) const ALL: [Self; 2] = [Self::Csv, Self::Npz];
+
+    pub(super) const fn ending(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Npz => "npz",
+        }
+    }
+
+    /// The format of a file, by the ending of its name.
+    pub(super) fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_lowercase();
+        Self::ALL.into_iter().find(|format| format.ending() == ending)
+    }
+
+    /// Begins a recording in a file.
+    pub(super) fn create<R: Sample>(
+        self,
+        path: &Path,
+        recording: Recording<'_>,
+    ) -> Result<Box<dyn Recorder<R>>, RecordError> {
+        let Recording { model, start } = recording;
+        let name = path.display().to_string();
+        Ok(match self {
+            Self::Csv => {
+                let file = File::create(path).map_err(|source| RecordError { path: name.clone(), source })?;
+                Box::new(CsvRecorder::new(file, name))
+            }
+            Self::Npz => {
+                let springs: Vec<[u32; 2]> = model.springs.iter().map(|spring| spring.between).collect();
+                Box::new(NpzRecorder::<R>::create(path, model.particles.len(), &springs, start.schedule.frames())?)
+            }
+        })
+    }
+
+    /// About how many bytes a recording takes.
+    pub(super) fn bytes(self, recording: Recording<'_>, bytes_per_number: u64) -> u128 {
+        let frames = u128::from(recording.start.schedule.frames());
+        let particles = recording.model.particles.len() as u128;
+        let number = u128::from(bytes_per_number);
+        match self {
+            // Three short numbers, and six of as many digits as they have bits for.
+            Self::Csv => frames * particles * (15 + 6 * (5 + 2 * number)),
+            Self::Npz => frames * (8 + particles * 6 * number),
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Where a run is recorded to: checked before anything is written, opened after.
+
+use std::fs::{self, OpenOptions};
+use std::io::stdout;
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use super::format::{Format, Recording};
+use crate::record::{CsvRecorder, RecordError, Recorder, Sample};
+
+/// What messages call it.
+pub(super) const STANDARD_OUTPUT: &str = "standard output";
+
+/// One place to record to.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Output {
+    /// CSV.
+    Standard,
+    File {
+        path: PathBuf,
+        format: Format,
+        /// Not there before the run.
+        new: bool,
+    },
+}
+
+/// All places of a run.
+pub(super) struct Outputs(Vec<Output>);
+
+impl Outputs {
+    /// Refuses what cannot be recorded to.
+    pub(super) fn check(paths: &[PathBuf]) -> Result<Self, Failure> {
+        let mut seen: Vec<PathBuf> = Vec::new();
+        let mut outputs = Vec::new();
+        for path in paths {
+            outputs.push(Output::check(path)?);
+            let place = same_for_one_file(path);
+            if seen.contains(&place) {
+                let message = format!("--out {} is given twice", path.display());
+                return Err(Failure::input(message, "give every recording a file of its own"));
+            }
+            seen.push(place);
+        }
+        Ok(Self(outputs))
+    }
+
+    pub(super) fn to_standard_output(&self) -> bool {
+        self.0.contains(&Output::Standard)
+    }
+
+    pub(super) fn only_to_standard_output(&self) -> bool {
+        self.0 == [Output::Standard]
+    }
+
+    /// About how many bytes the recordings take on the disk.
+    pub(super) fn bytes(&self, recording: Recording<'_>, bytes_per_number: u64) -> u128 {
+        let bytes = |output: &Output| match output {
+            Output::Standard => 0,
+            Output::File { format, .. } => format.bytes(recording, bytes_per_number),
+        };
+        self.0.iter().map(bytes).sum()
+    }
+
+    /// Begins every recording. If one cannot be begun, the files that were made for the others are gone again.
+    pub(super) fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Vec<Box<dyn Recorder<R>>>, RecordError> {
+        let mut recorders = Vec::new();
+        for (index, output) in self.0.iter().enumerate() {
+            match output.open(recording) {
+                Ok(recorder) => recorders.push(recorder),
+                Err(error) => {
+                    drop(recorders);
+                    self.0.iter().take(index + 1).for_each(Output::remove_if_new);
+                    return Err(error);
+                }
+            }
+        }
+        Ok(recorders)
+    }
+
+    /// The files, for the summary.
+    pub(super) fn names(&self) -> Vec<String> {
+        let name = |output: &Output| match output {
+            Output::Standard => STANDARD_OUTPUT.to_owned(),
+            Output::File { path, .. } => path.display().to_string(),
+        };
+        self.0.iter().map(name).collect()
+    }
+}
+
+impl Output {
+    fn check(path: &Path) -> Result<Self, Failure> {
+        if path.as_os_str() == "-" {
+            return Ok(Self::Standard);
+        }
+        let shown = path.display();
+        let Some(format) = Format::of(path) else {
+            let endings: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.ending())).collect();
+            let found = path.extension().map_or_else(
+                || "has no ending".to_owned(),
+                |ending| format!("has the ending .{}, which names no format", ending.display()),
+            );
+            let message = format!("--out {shown} {found}: the known endings are {}", endings.join(", "));
+            return Err(Failure::input(
+                message,
+                "end the file's name in one of them, or use - for CSV to standard output",
+            ));
+        };
+        check_place(path, "--out")?;
+        // An existing file is opened without changing it, to see whether it may be written.
+        let new = !path.exists();
+        if !new && let Err(error) = OpenOptions::new().write(true).open(path) {
+            return Err(Failure::input(format!("--out {shown} cannot be written: {error}"), "choose another file"));
+        }
+        Ok(Self::File { path: path.to_owned(), format, new })
+    }
+
+    fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Box<dyn Recorder<R>>, RecordError> {
+        match self {
+            Self::Standard => Ok(Box::new(CsvRecorder::new(stdout(), STANDARD_OUTPUT.to_owned()))),
+            Self::File { path, format, .. } => format.create(path, recording),
+        }
+    }
+
+    fn remove_if_new(&self) {
+        if let Self::File { path, new: true, .. } = self {
+            // It may not have come to be; and what cannot be removed stays, an empty recording.
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
+/// Refuses a path in a folder that does not exist, or that is a folder itself.
+pub(super) fn check_place(path: &Path, what: &str) -> Result<(), Failure> {
+    let shown = path.display();
+    if path.is_dir() {
+        return Err(Failure::input(format!("{what} {shown} is a folder"), "name a file in it"));
+    }
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            let folder = folder.display();
+            let message = format!("{what} {shown}: there is no folder {folder}");
+            Err(Failure::input(message, format!("make it first: mkdir -p {folder}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A name that two paths share if they lead to the same file.
+fn same_for_one_file(path: &Path) -> PathBuf {
+    if let Ok(real) = path.canonicalize() {
+        return real;
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default())
+}

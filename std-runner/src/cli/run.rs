@@ -1,0 +1,73 @@
+//! `hooke run`: a scene simulated and recorded.
+
+use std::io::{ErrorKind, IsTerminal, stderr, stdout};
+
+use super::Outcome;
+use super::arguments::RunArguments;
+use super::failure::Failure;
+use super::format::Recording;
+use super::interrupt;
+use super::outputs::Outputs;
+use super::print;
+use super::progress::Bar;
+use super::scene::{Loaded, out_of_range, warn};
+use super::told;
+use crate::advice::{Subject, advise};
+use crate::record::Sample;
+use crate::scene::Precision;
+use crate::simulate::{Options, RunError, Start, run as simulate};
+use crate::units::counted;
+
+pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
+    let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
+    let outputs = Outputs::check(&arguments.out)?;
+    match loaded.scene.settings().precision {
+        Precision::F32 => run_in::<f32>(&loaded, &outputs, !arguments.no_ledger),
+        Precision::F64 => run_in::<f64>(&loaded, &outputs, !arguments.no_ledger),
+    }
+}
+
+fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, ledger: bool) -> Result<Outcome, Failure> {
+    let (model, settings) = (&loaded.model, loaded.scene.settings());
+    let begin = |start: &Start| {
+        let recording = Recording { model, start };
+        let recorded_bytes = outputs.bytes(recording, R::SIZE);
+        warn(&advise(&Subject { model, settings, start, recorded_bytes }));
+        outputs.open::<R>(recording)
+    };
+    // Rows that scroll past and a bar that stays do not go together.
+    let rows_on_terminal = outputs.to_standard_output() && stdout().is_terminal();
+    let progress = Bar::new(stderr().is_terminal() && !rows_on_terminal);
+    let options = Options { ledger, interrupted: interrupt::watch(), progress: &progress };
+    let ran = simulate::<R>(model, settings, begin, &options);
+    progress.clear();
+    match ran {
+        Ok(summary) => {
+            let files = outputs.names();
+            print::message(&told::summary(settings, &summary, &files));
+            told::outcome(model, settings, &summary, !files.is_empty())
+        }
+        Err(error) => stopped(error, outputs),
+    }
+}
+
+fn stopped(error: RunError, outputs: &Outputs) -> Result<Outcome, Failure> {
+    match error {
+        RunError::Build(error) => Err(out_of_range(&error)),
+        RunError::Begin(error) => Err(Failure::input(error.to_string(), "choose another place to record to")),
+        // Who reads the rows has seen enough.
+        RunError::Record { error, .. }
+            if outputs.only_to_standard_output() && error.source.kind() == ErrorKind::BrokenPipe =>
+        {
+            Ok(Outcome::Done)
+        }
+        RunError::Record { error, frames } => {
+            let readable = match frames {
+                0 => "no frame was recorded".to_owned(),
+                frames => format!("what was recorded before can be read: {}", counted(frames, "frame")),
+            };
+            let message = format!("{error}; {readable}");
+            Err(Failure::failed(message, "make room there, record fewer frames (--frame-rate), or record elsewhere"))
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! A scene from a file, with the flags of the command line in it.
+
+use std::path::Path;
+
+use hooke::Real;
+
+use super::failure::Failure;
+use super::print;
+use crate::advice::{Advice, vanishing_time_step};
+use crate::model::Model;
+use crate::scene::{Overrides, Precision, Scene, TimeStep};
+use crate::simulate::{BuildError, Start};
+
+/// A scene that can be run.
+pub(super) struct Loaded {
+    pub(super) scene: Scene,
+    pub(super) model: Model,
+}
+
+impl Loaded {
+    pub(super) fn load(path: &Path, overrides: &Overrides) -> Result<Self, Failure> {
+        let mut scene = Scene::load(path)?;
+        scene.apply(overrides)?;
+        if let TimeStep::Seconds(time_step) = scene.settings().time_step
+            && vanishing_time_step(scene.settings(), time_step)
+        {
+            let message = format!("the time step of {time_step:e} s is outside what f32 can hold");
+            return Err(Failure::input(message, "use --precision f64, or a time step nearer to 1 s"));
+        }
+        let model = scene.model()?;
+        Ok(Self { scene, model })
+    }
+
+    /// What is known before the first step, in the scene's own precision.
+    pub(super) fn start(&self) -> Result<Start, Failure> {
+        fn of<R: Real>(loaded: &Loaded) -> Result<Start, BuildError> {
+            Start::of::<R>(&loaded.model, loaded.scene.settings())
+        }
+        let start = match self.scene.settings().precision {
+            Precision::F32 => of::<f32>(self),
+            Precision::F64 => of::<f64>(self),
+        };
+        start.map_err(|error| out_of_range(&error))
+    }
+}
+
+/// What the precision of the run cannot hold.
+pub(super) fn out_of_range(error: &BuildError) -> Failure {
+    let message = format!("{} cannot be stepped in this precision: {}", error.place, error.reason);
+    Failure::input(message, "use --precision f64, or values nearer to 1")
+}
+
+/// One piece of advice, as a warning.
+pub(super) fn warning(advice: &Advice) -> String {
+    format!("warning: {}\n    help: {}", advice.message, advice.remedy)
+}
+
+/// Every piece, before a run.
+pub(super) fn warn(advice: &[Advice]) {
+    advice.iter().for_each(|advice| print::message(&warning(advice)));
+}

@@ -1,0 +1,37 @@
+//! The energy ledger as a table.
+
+use hooke::Balance;
+
+use crate::cli::table::{numbers, rows};
+
+/// One line an energy, and what the integrator itself added or lost.
+pub(super) fn ledger(balance: &Balance) -> Vec<String> {
+    let entries = [
+        (" ", "kinetic", balance.kinetic),
+        ("+", "elastic", balance.elastic),
+        ("+", "gravitational", balance.gravitational),
+        ("+", "lost to damping", balance.lost_to_damping),
+        ("+", "lost in impacts", balance.lost_in_impacts),
+        ("-", "work of moving pins", balance.work_of_pins),
+        ("-", "at the start", balance.opened_with),
+        ("=", "the integrator's own error", balance.remainder()),
+    ];
+    // 0 is added so that nothing is told as 0 and not as -0.
+    let values = numbers(&entries.map(|(.., value)| value + 0.0));
+    let mut table: Vec<[String; 4]> = entries
+        .iter()
+        .zip(values)
+        .map(|((sign, name, _), value)| [(*sign).to_owned(), (*name).to_owned(), value, String::new()])
+        .collect();
+    if let Some([.., note]) = table.last_mut() {
+        *note = relative(balance);
+    }
+    let mut lines = vec!["energy ledger, J".to_owned()];
+    lines.extend(rows(&table, 2));
+    lines
+}
+
+fn relative(balance: &Balance) -> String {
+    let scale = balance.scale();
+    if scale > 0.0 { format!("{:.1e} of the largest", balance.remainder().abs() / scale) } else { String::new() }
+}

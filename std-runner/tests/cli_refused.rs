@@ -1,0 +1,56 @@
+//! Wrong input: told, refused with code 2, and nothing is written.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+mod cli_support;
+
+use std::fs;
+
+use cli_support::{Folder, ROPE};
+
+#[track_caller]
+fn refused(scene: &str, arguments: &[&str], parts: &[&str]) {
+    let folder = Folder::with(scene);
+    let all = [&["run", "scene.toml", "--out", "good.csv", "--out", "good.npz"], arguments].concat();
+    folder.hooke(&all).exits(2).prints_nothing().tells(parts);
+    assert!(folder.made().is_empty(), "{:?}", folder.made());
+}
+
+#[test]
+fn outputs() {
+    refused(ROPE, &["--out", "x.foo"], &["x.foo", ".foo", ".csv, .npz", "help:"]);
+    refused(ROPE, &["--out", "x"], &["--out x has no ending", ".csv, .npz"]);
+    refused(ROPE, &["--out", "none/x.csv"], &["there is no folder none", "mkdir -p none"]);
+    refused(ROPE, &["--out", "./good.csv"], &["./good.csv is given twice"]);
+    refused(ROPE, &["--out", "-", "--out", "-"], &["--out - is given twice"]);
+}
+
+#[test]
+fn an_output_that_is_a_folder() {
+    let folder = Folder::with(ROPE);
+    fs::create_dir(folder.file("x.csv")).unwrap();
+    folder.hooke(&["run", "scene.toml", "--out", "x.csv"]).exits(2).tells(&["x.csv is a folder"]);
+}
+
+#[test]
+fn scenes() {
+    refused("gravty = [0.0, 0.0, 1.0]", &[], &["scene.toml:1:1", "gravty", "gravity"]);
+    refused("duration = -1.0", &[], &["scene.toml:1:", "duration", "-1.0", "more than 0"]);
+    refused("[[particle]]\nposition = [0.0, 0.0, 0.0]\nmass = 1e-300", &[], &["particle 0", "--precision f64"]);
+    let folder = Folder::empty();
+    folder.hooke(&["run", "nothing.toml"]).exits(2).tells(&["nothing.toml", "help:"]);
+    folder.hooke(&["check", "nothing.toml"]).exits(2).prints_nothing().tells(&["nothing.toml"]);
+}
+
+#[test]
+fn flags() {
+    refused(ROPE, &["--time-step", "-1"], &["--time-step", "-1.0", "more than 0"]);
+    refused(ROPE, &["--time-step", "1e-60"], &["1e-60 s", "f32", "--precision f64"]);
+    refused(ROPE, &["--stepper", "newton"], &["newton", "velocity-verlet"]);
+    refused(ROPE, &["--gravity", "1,2"], &["1,2", "three numbers"]);
+    refused(ROPE, &["--unknown"], &["--unknown"]);
+}
+
+#[test]
+fn no_verb_at_all() {
+    Folder::empty().hooke(&[]).exits(2).tells(&["Usage: hooke", "run", "check", "new"]);
+}
