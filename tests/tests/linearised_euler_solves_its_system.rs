@@ -86,7 +86,6 @@ fn solution(model: &Model, gravity: [f64; 3], start: &Moment, dt: f64) -> Moment
     });
     let change = dense::solve(rows.collect(), right.collect()).unwrap();
     let velocity: Vec<f64> = (0..size).map(|row| v[row] + weights[row] * change[row]).collect();
-    let position: Vec<f64> =
-        start.position.as_flattened().iter().zip(&velocity).map(|(x, v)| x + dt * v).collect();
+    let position: Vec<f64> = start.position.as_flattened().iter().zip(&velocity).map(|(x, v)| x + dt * v).collect();
     Moment { position: position.as_chunks().0.to_vec(), velocity: velocity.as_chunks().0.to_vec() }
 }

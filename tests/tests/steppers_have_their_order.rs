@@ -69,8 +69,10 @@ fn single_precision_follows_down_to_its_rounding() {
         // Exponential growth of every rounding is explicit Euler's own: e^{ω² dt t/2} is next to 1 here.
         for &stepper in StepperName::ALL {
             for count in [500, 8000] {
-                let (wide, narrow) =
-                    (runs::error::<f64>(&problem, stepper, PART, count), runs::error::<f32>(&problem, stepper, PART, count));
+                let (wide, narrow) = (
+                    runs::error::<f64>(&problem, stepper, PART, count),
+                    runs::error::<f32>(&problem, stepper, PART, count),
+                );
                 let reach = 1.0 + size(&problem);
                 // The scene itself is rounded too, and the period and a half multiplies that by ωt, 10 or so.
                 let rounding = (0.5 * count as f64 + 50.0) * f64::from(f32::EPSILON) * reach;

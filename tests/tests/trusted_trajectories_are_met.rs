@@ -56,8 +56,8 @@ fn error(name: &str, stepper: StepperName, time: f64, count: usize) -> f64 {
     let (model, settings) = scenes::load(name);
     let trusted = Trusted::read(name).unwrap();
     let number = trusted.time.iter().position(|other| *other == time).unwrap();
-    let mut run = Run::<f64>::new(&model, settings.gravity, stepper, CollisionForm::Reflect)
-        .with_tolerance(stepper, 1e-8);
+    let mut run =
+        Run::<f64>::new(&model, settings.gravity, stepper, CollisionForm::Reflect).with_tolerance(stepper, 1e-8);
     run.steps(count, time / count as f64);
     measure::position_error(&run.moment(), &trusted.moments[number])
 }
