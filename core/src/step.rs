@@ -90,7 +90,12 @@ impl<R: Real> View<'_, R> {
         stepper.fit(&self.system.plan)?;
         response.fit(&self.system.plan)?;
         self.end = end;
-        response.step(self, stepper, dt, observer)
+        let stepped = response.step(self, stepper, dt, observer);
+        if stepped.is_err() {
+            // What the stepper may remember of the state that was not to be must not pass for that of one to come.
+            *self.epoch += 2;
+        }
+        stepped
     }
 }
 

@@ -16,7 +16,7 @@ struct Spring {
 #[derive(Clone, Debug)]
 pub struct RightHandSide {
     gravity: DVec3,
-    /// kg, `None` for a pinned particle
+    /// kg, `None` for a particle that nothing accelerates
     mass: Vec<Option<f64>>,
     springs: Vec<Spring>,
 }
@@ -24,14 +24,12 @@ pub struct RightHandSide {
 impl RightHandSide {
     /// The law for this scene, under `gravity` in m/s².
     ///
-    /// # Panics
-    /// A particle follows keyframes: no reference problem has one.
+    /// A particle on a track keeps the velocity that it starts with: the law holds from one of its keys to the next.
     #[must_use]
     pub fn new(model: &Model, gravity: [f64; 3]) -> Self {
         let mass = model.particles.iter().map(|particle| match particle.hold {
             Hold::Free => Some(particle.mass),
-            Hold::Pinned => None,
-            Hold::Track(_) => unimplemented!("keyframed particles"),
+            Hold::Pinned | Hold::Track(_) => None,
         });
         let springs = model.springs.iter().map(|spring| Spring {
             between: spring.between.map(|number| number as usize),
@@ -48,7 +46,7 @@ impl RightHandSide {
         self.mass.len()
     }
 
-    /// The mass of a particle in kg; `None` if it is pinned.
+    /// The mass of a particle in kg; `None` if nothing accelerates it: it is pinned or on a track.
     #[must_use]
     pub fn mass(&self, particle: usize) -> Option<f64> {
         self.mass[particle]
@@ -58,7 +56,7 @@ impl RightHandSide {
     ///
     /// m a = m g + Σ (k (l − `l_rest`) + `k_d` l̇) d̂, d = x_j − x_i, l = |d|, d̂ = d/l, l̇ = (v_j − v_i)·d̂,
     ///
-    /// added at i and subtracted at j. A spring of length 0 pulls in no direction; a pinned particle has a = 0.
+    /// added at i and subtracted at j. A spring of length 0 pulls in no direction; a pinned particle, or one on a track, has a = 0.
     pub fn accelerate(&self, position: &[[f64; 3]], velocity: &[[f64; 3]], acceleration: &mut [[f64; 3]]) {
         let at = |vectors: &[[f64; 3]], number: usize| DVec3::from(vectors[number]);
         let mut force: Vec<DVec3> = self.mass.iter().map(|mass| mass.unwrap_or(0.0) * self.gravity).collect();

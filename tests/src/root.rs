@@ -1,6 +1,7 @@
 //! The root of implicit Euler's own equation, found without any of Hooke's solvers:
 //! v' = v + dt·a(x + dt·v', v') by Newton's method with a dense Jacobian from finite differences.
 
+use crate::dense::solve;
 use crate::moment::Moment;
 use crate::right_hand_side::RightHandSide;
 
@@ -148,33 +149,6 @@ impl Equation<'_> {
         }
         None
     }
-}
-
-/// Gaussian elimination with partial pivoting; `None` for a singular matrix.
-fn solve(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
-    let size = right.len();
-    for column in 0..size {
-        let pivot = (column..size).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
-        rows.swap(column, pivot);
-        right.swap(column, pivot);
-        if rows[column][column] == 0.0 {
-            return None;
-        }
-        let (done, rest) = rows.split_at_mut(column + 1);
-        let pivot_row = &done[column];
-        for (offset, row) in rest.iter_mut().enumerate() {
-            let factor = row[column] / pivot_row[column];
-            for (entry, above) in row[column..].iter_mut().zip(&pivot_row[column..]) {
-                *entry -= factor * above;
-            }
-            right[column + 1 + offset] -= factor * right[column];
-        }
-    }
-    for row in (0..size).rev() {
-        let known: f64 = (row + 1..size).map(|column| rows[row][column] * right[column]).sum();
-        right[row] = (right[row] - known) / rows[row][row];
-    }
-    Some(right)
 }
 
 /// The largest magnitude; a NaN makes it NaN, so that nothing converges on it.

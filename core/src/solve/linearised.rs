@@ -8,7 +8,7 @@ use crate::world::System;
 ///
 /// A spring with force density q = (k (l − l_rest) + k_d l̇)/l resists a relative velocity u of its ends with
 /// (dt·k_d + dt²·k) d̂(d̂·u) + dt²·max(0, q) (u − d̂(d̂·u)). The second part is negative in a compressed spring, which
-/// would rather buckle: there it is left out (Teran et al. 2005, *Robust quasistatic finite elements*).
+/// would rather buckle: there it is left out (Teran et al. 2005, *Robust quasistatic finite elements*), unless asked for.
 pub struct Linearisation<'a, R> {
     /// d̂
     pub axis: ColumnsMut<'a, R>,
@@ -18,25 +18,29 @@ pub struct Linearisation<'a, R> {
     pub across: &'a mut [R],
 }
 
+/// What of the springs' resistance a linearisation keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// dt²·K, made positive definite.
+    Stiffness,
+    /// dt·C + dt²·K, made positive definite.
+    Definite,
+    /// dt·C + dt²·K as it is. It may lead nowhere, but near a solution it is usually definite too, and leads there faster.
+    All,
+}
+
 impl<R: Real> Linearisation<'_, R> {
-    /// Linearises about a state whose force densities are known. Without `damping` only dt²·K is kept.
-    pub fn about(
-        &mut self,
-        system: &System<'_, R>,
-        position: Columns<'_, R>,
-        force_density: &[R],
-        dt: R,
-        damping: bool,
-    ) {
+    /// Linearises about a state whose force densities are known.
+    pub fn about(&mut self, system: &System<'_, R>, position: Columns<'_, R>, force_density: &[R], dt: R, keep: Keep) {
         let springs = system.springs;
         let square = dt * dt;
         for (spring, (q, &[i, j])) in (0..).zip(force_density.iter().zip(springs.ends)) {
             let d = difference(fetch(position, j), fetch(position, i));
             let length = dot(d, d).sqrt();
             let (stiffness, rest_length) = (at(springs.stiffness, spring), at(springs.rest_length, spring));
-            let rate = if damping { at(springs.damping, spring) } else { R::ZERO };
+            let rate = if keep == Keep::Stiffness { R::ZERO } else { at(springs.damping, spring) };
             let (axis, across) = if length > R::ZERO {
-                (scaled(R::ONE / length, d), q.at_least(R::ZERO))
+                (scaled(R::ONE / length, d), if keep == Keep::All { *q } else { q.at_least(R::ZERO) })
             } else {
                 // Without a direction it resists all alike, if it would at this length at all.
                 ([R::ZERO; 3], if rest_length > R::ZERO { R::ZERO } else { stiffness })

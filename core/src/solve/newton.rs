@@ -1,7 +1,7 @@
 //! Newton's method for the velocities at the end of a step.
 
-use super::conjugate_gradients::conjugate_gradients;
-use super::linearised::Linearisation;
+use super::conjugate_gradients::{Solved, conjugate_gradients};
+use super::linearised::{Keep, Linearisation};
 use super::residual::{Measured, residual};
 use super::workspace::Scratch;
 use crate::Real;
@@ -18,6 +18,8 @@ const MOST_HALVINGS: u32 = 30;
 /// The linear residual that a Newton iteration asks for, relative to that of the equation: it then falls a
 /// hundredfold an iteration at best, and no product with the matrix is spent on digits that the next one changes.
 const LINEAR_TOLERANCE: f64 = 1e-2;
+/// An iteration that leaves more than this part of the residual is slow.
+const SLOW: f64 = 0.1;
 /// The slope that a line search may be left with, relative to the first: past it the step went too far.
 const SLOPE_LEFT: f64 = 0.9;
 
@@ -26,13 +28,14 @@ const SLOPE_LEFT: f64 = 0.9;
 pub struct Tolerance(pub f64);
 
 impl Tolerance {
-    /// Whether a residual is small enough, or as small as rounding lets it be.
+    /// Whether a residual is as small as was asked for.
     fn is_met(self, measured: &Measured) -> bool {
-        measured.norm <= self.target(measured)
+        measured.norm <= self.0 * measured.scale
     }
 
-    fn target(self, measured: &Measured) -> f64 {
-        (self.0 * measured.scale).max(measured.rounding)
+    /// Whether it is that, or no larger than rounding may leave it.
+    fn is_within_reach(self, measured: &Measured) -> bool {
+        self.is_met(measured) || measured.norm <= measured.rounding
     }
 }
 
@@ -46,20 +49,55 @@ pub fn newton<R: Real>(
     let mut report = StepReport::default();
     start(view, dt, scratch, &mut report);
     let mut measured = residual(view, dt, scratch, &mut report);
+    let mut slow = false;
     while !tolerance.is_met(&measured) && report.iterations < MOST_ITERATIONS {
         report.iterations += 1;
-        linearise(view, dt, scratch, true);
-        let target = (LINEAR_TOLERANCE * measured.norm).max(0.1 * tolerance.target(&measured));
-        let solved = conjugate_gradients(&view.system, scratch, target);
-        report.linear_iterations += solved.iterations;
+        let target = (LINEAR_TOLERANCE * measured.norm).max(0.1 * tolerance.0 * measured.scale);
+        let solved = find_direction(view, dt, scratch, target, slow, &mut report);
         match search_line(view, dt, scratch, solved.descent, tolerance, &mut report) {
-            Some(found) => measured = found,
+            Some(found) => {
+                // What rounding may leave is only bounded: it is reached where an iteration no longer gains much.
+                let ended = tolerance.is_within_reach(&found) && found.norm > 0.5 * measured.norm;
+                slow = found.norm > SLOW * measured.norm;
+                measured = found;
+                if ended {
+                    break;
+                }
+            }
+            // The definite matrix has not had its turn.
+            None if slow => slow = false,
             None => break,
         }
     }
-    report.converged = tolerance.is_met(&measured);
+    report.converged = tolerance.is_within_reach(&measured);
     report.residual = measured.relative();
     report
+}
+
+/// Where to search next. The definite matrix always leads down, but where springs are compressed only slowly: after a
+/// `slow` iteration the matrix as it is gets a try, and the definite one its turn where that bends down somewhere.
+fn find_direction<R: Real>(
+    view: &mut View<'_, R>,
+    dt: R,
+    scratch: &mut Scratch<'_, R>,
+    target: f64,
+    slow: bool,
+    report: &mut StepReport,
+) -> Solved {
+    if slow {
+        linearise(view, dt, scratch, Keep::All);
+        let solved = conjugate_gradients(&view.system, scratch, target);
+        report.linear_iterations += solved.iterations;
+        if solved.converged {
+            return solved;
+        }
+        // The attempt has used the residual up.
+        residual(view, dt, scratch, report);
+    }
+    linearise(view, dt, scratch, Keep::Definite);
+    let solved = conjugate_gradients(&view.system, scratch, target);
+    report.linear_iterations += solved.iterations;
+    solved
 }
 
 /// Solves (M + dt·C + dt²·K)(v' − v) = dt (f(x, v) − dt·K v), the equation linearised once about the state now
@@ -74,7 +112,7 @@ pub fn one_linearisation<R: Real>(
     start(view, dt, scratch, &mut report);
     let count = view.system.plan.attached;
     // The matrix holds dt²·K alone at first, so that its product with v is the right-hand side's.
-    linearise(view, dt, scratch, false);
+    linearise(view, dt, scratch, Keep::Stiffness);
     let mut size = 0.0;
     for slot in 0..count {
         let system = &view.system;
@@ -86,7 +124,7 @@ pub fn one_linearisation<R: Real>(
         size += at(system.inverse_mass, slot).to_f64() * dot(right, right).to_f64();
         store(&mut scratch.residual, slot, scaled(-R::ONE, right));
     }
-    linearise(view, dt, scratch, true);
+    linearise(view, dt, scratch, Keep::Definite);
     let size = Real::sqrt(size);
     let solved = conjugate_gradients(&view.system, scratch, tolerance.0.max(R::EPSILON.to_f64()) * size);
     report.linear_iterations = solved.iterations;
@@ -124,8 +162,8 @@ fn start<R: Real>(view: &mut View<'_, R>, dt: R, scratch: &mut Scratch<'_, R>, r
 }
 
 /// Linearises about the view's next state.
-fn linearise<R: Real>(view: &View<'_, R>, dt: R, scratch: &mut Scratch<'_, R>, damping: bool) {
-    matrix(scratch).about(&view.system, read(&view.next.position), view.force_density, dt, damping);
+fn linearise<R: Real>(view: &View<'_, R>, dt: R, scratch: &mut Scratch<'_, R>, keep: Keep) {
+    matrix(scratch).about(&view.system, read(&view.next.position), view.force_density, dt, keep);
 }
 
 fn matrix<'a, R: Real>(scratch: &'a mut Scratch<'_, R>) -> Linearisation<'a, R> {
@@ -154,7 +192,7 @@ fn search_line<R: Real>(
         let slope = sum(count, |slot| {
             dot(fetch(read(&scratch.residual), slot), fetch(read(&scratch.direction), slot)).to_f64()
         });
-        if measured.norm.is_finite() && (slope <= SLOPE_LEFT * descent || tolerance.is_met(&measured)) {
+        if measured.norm.is_finite() && (slope <= SLOPE_LEFT * descent || tolerance.is_within_reach(&measured)) {
             return Some(measured);
         }
         fraction = R::from_f64(0.5) * fraction;

@@ -18,7 +18,7 @@ pub struct Full {
 pub enum AddParticleError<R: Real> {
     /// The world has no room for another; here it is back.
     Full(Particle<R>),
-    /// The mass is not positive and finite.
+    /// The mass is not positive and finite, or so small that its inverse is not finite.
     Mass(R),
     /// A component of the position or of the velocity is infinite or NaN.
     NotFinite,
@@ -91,7 +91,7 @@ impl<R: Real> fmt::Display for AddParticleError<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Full(_) => write!(f, "the world has no room for another particle"),
-            Self::Mass(mass) => write!(f, "the mass {mass} kg is not positive and finite"),
+            Self::Mass(mass) => write!(f, "the mass {mass} kg, or its inverse, is not positive and finite"),
             Self::NotFinite => write!(f, "the position or the velocity is not finite"),
         }
     }

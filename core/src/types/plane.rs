@@ -39,7 +39,7 @@ impl<R: Real> Plane<R> {
         }
         // Divided by its largest component first: the squares of a tiny or huge normal would be 0 or infinite.
         let largest = normal.iter().fold(R::ZERO, |largest, component| largest.at_least(component.abs()));
-        if !(largest > R::ZERO && largest.is_finite()) {
+        if !(largest > R::ZERO && normal.iter().all(|component| component.is_finite())) {
             return Err(AddPlaneError::Normal);
         }
         let direction = normal.map(|component| component / largest);

@@ -55,9 +55,10 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// Adds a particle and returns its number: 0 for the first, one more for each that follows.
     ///
     /// # Errors
-    /// If there is no room for it, its mass is not positive and finite, or its state is not finite.
+    /// If there is no room for it, its mass or the inverse of that is not positive and finite, or its state is not finite.
     pub fn add_particle(&mut self, particle: Particle<R>) -> Result<u32, AddParticleError<R>> {
-        if !(particle.mass > R::ZERO && particle.mass.is_finite()) {
+        // A mass next to 0 has an infinite inverse, and no force on it a finite answer.
+        if !(particle.mass > R::ZERO && particle.mass.is_finite() && (R::ONE / particle.mass).is_finite()) {
             return Err(AddParticleError::Mass(particle.mass));
         }
         if !(finite(particle.position.into()) && finite(particle.velocity.into())) {

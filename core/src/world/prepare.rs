@@ -14,7 +14,6 @@ pub fn partition<R: Real, M: Storage>(
     springs: &mut SpringColumns<R, M>,
     front: usize,
 ) -> u32 {
-    let count = particles.count();
     let new_slot = particles.incidence_end.items_mut();
     new_slot.fill(0);
     for &[first, second] in springs.ends.items() {
@@ -25,11 +24,12 @@ pub fn partition<R: Real, M: Storage>(
     let mut next_attached = 0;
     let mut next_free = attached;
     let mut moved = false;
-    for (slot, new) in (0..count).zip(new_slot.iter_mut()) {
-        let next = if *new == 1 { &mut next_attached } else { &mut next_free };
-        *new = *next;
+    // By number, whatever slots an earlier preparation gave them: the same scene is laid out alike however it was made.
+    for slot in particles.slot_of.items() {
+        let next = if at(new_slot, *slot) == 1 { &mut next_attached } else { &mut next_free };
+        put(new_slot, *slot, *next);
+        moved |= *next != *slot;
         *next += 1;
-        moved |= *new != slot;
     }
     if moved {
         permute(particles, springs, front);

@@ -1,0 +1,51 @@
+//! The bits of 200 steps, per precision and stepper: the same on every machine and in every profile.
+//!
+//! To mint new ones after a change that is meant to change bits, run this test and copy what it prints.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+use hooke::Real;
+use hooke_runner::scene::{CollisionForm, StepperName};
+use hooke_tests::runs::Run;
+use hooke_tests::{digest, scenes};
+
+/// In the order of `StepperName::ALL`. `auto` is Verlet here: nothing is too stiff for it, and hits are not located.
+const SINGLE: [u64; 6] = [
+    0x6380_62b4_4269_d632,
+    0x6e26_8a5a_67b6_57a6,
+    0x9248_4862_3219_e761,
+    0x7e53_8c0e_760a_f37f,
+    0x8700_d61e_5bc5_ad61,
+    0x8700_d61e_5bc5_ad61,
+];
+const DOUBLE: [u64; 6] = [
+    0xe509_0d86_9fd2_ce05,
+    0xadb6_9f5d_1f63_5a92,
+    0x3789_b243_8508_8d56,
+    0x9b19_b26e_0151_799d,
+    0xa837_b33d_6287_876c,
+    0xa837_b33d_6287_876c,
+];
+
+#[test]
+fn in_single_precision() {
+    compare::<f32>(SINGLE);
+}
+
+#[test]
+fn in_double_precision() {
+    compare::<f64>(DOUBLE);
+}
+
+fn compare<R: Real>(expected: [u64; 6]) {
+    let (model, settings) = scenes::load("golden");
+    let digests = StepperName::ALL.iter().map(|&stepper| {
+        let mut run =
+            Run::<R>::new(&model, settings.gravity, stepper, CollisionForm::Project).with_tolerance(stepper, 1e-5);
+        let report = run.steps(200, 2e-3);
+        assert!(report.hits > 20 && report.converged, "{stepper}: {report:?}");
+        digest::of(&run.world.view())
+    });
+    let digests: Vec<u64> = digests.collect();
+    let mint = digests.iter().map(|digest| format!("{digest:#018x}"));
+    assert_eq!(digests, expected, "now: [{}]", mint.collect::<Vec<_>>().join(", "));
+}

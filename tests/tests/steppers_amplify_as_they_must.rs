@@ -1,0 +1,112 @@
+//! What a step does to a damped oscillator: stable just below the limit, exploding just above, and the closed forms of
+//! the amplification in between.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+use glam::DVec3;
+use hooke_runner::model::{Hold, Model, ModelParticle, ModelSpring};
+use hooke_runner::scene::{CollisionForm, StepperName};
+use hooke_tests::problems::skew;
+use hooke_tests::runs::Run;
+use hooke_tests::stability;
+
+const DAMPING_RATIOS: [f64; 4] = [0.0, 0.1, 0.5, 1.0];
+
+/// The core keeps Verlet's acceleration from one step to the next, computed at the predicted velocity: one force
+/// evaluation a step, and the limit is that of the kept variant, 2(√(1 + 4ζ²) − 2ζ).
+#[test]
+fn limits_are_where_theory_has_them() {
+    type Limit = fn(f64) -> f64;
+    let limits: [(StepperName, Limit); 3] = [
+        (StepperName::ExplicitEuler, stability::explicit_euler_limit),
+        (StepperName::SemiImplicitEuler, stability::semi_implicit_euler_limit),
+        (StepperName::VelocityVerlet, stability::verlet_kept_limit),
+    ];
+    for (stepper, limit) in limits {
+        for zeta in DAMPING_RATIOS {
+            if limit(zeta) == 0.0 {
+                continue;
+            }
+            let [below, above] = [0.99, 1.01].map(|part| growth(stepper, zeta, part * limit(zeta)));
+            // Below, a swing may first grow by the condition of the eigenvectors, 1/√(1 − 0.99) or so, and then fades or
+            // stays. Above, the least radius is 1.005 (explicit Euler at ζ = 0.1: 1 + h²/100), and 2,000 steps make
+            // e^{0.0004 × 2,000} = 2 of even that; the others grow a hundredfold.
+            assert!(below < 20.0, "{stepper}, {zeta}: {below:e}");
+            let least = if stepper == StepperName::ExplicitEuler { 1.2 } else { 100.0 };
+            assert!(above > least * below.min(1.0) && above > least, "{stepper}, {zeta}: {below:e}, {above:e}");
+        }
+    }
+}
+
+#[test]
+fn amplification_is_the_closed_form() {
+    use StepperName::{Auto, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, VelocityVerlet};
+    for zeta in [0.0, 0.05, 0.3, 0.7] {
+        for h in [0.01, 0.1, 0.5, 1.3] {
+            let implicit = 1.0 / (1.0 + 2.0 * zeta * h + h * h);
+            let mut expected = vec![
+                (ExplicitEuler, 1.0 - 2.0 * zeta * h + h * h),
+                (SemiImplicitEuler, 1.0 - 2.0 * zeta * h),
+                (ImplicitEuler, implicit),
+                (ImplicitEulerLinearised, implicit),
+            ];
+            if zeta == 0.0 {
+                // Symplectic: areas are kept. (With damping the kept acceleration makes the state threefold.)
+                expected.extend([(VelocityVerlet, 1.0), (Auto, 1.0)]);
+            }
+            for (stepper, expected) in expected {
+                let found = determinant(stepper, zeta, h);
+                // Two states 0.1 m apart, 1 m from the pin: rounding, ten times.
+                assert!((found - expected).abs() < 1e-13, "{stepper}, {zeta}, {h}: {found}, not {expected}");
+            }
+        }
+    }
+}
+
+/// det of the amplification matrix: |λ|² of a complex pair. Its columns are differences of steps from two states.
+fn determinant(stepper: StepperName, zeta: f64, h: f64) -> f64 {
+    let step = |x: f64, v: f64| {
+        let mut run = run(stepper, zeta, [x, v]);
+        run.steps(1, h);
+        state(&mut run)
+    };
+    let (x, v) = (step(0.1, 0.0), step(0.0, 0.1));
+    (x[0] * v[1] - x[1] * v[0]) / (0.1 * 0.1)
+}
+
+/// How much a swing has grown after 2,000 steps, or when it is a thousand times what it was.
+fn growth(stepper: StepperName, zeta: f64, h: f64) -> f64 {
+    let start = 1e-5;
+    let mut run = run(stepper, zeta, [start, 0.0]);
+    let size = |[x, v]: [f64; 2]| x.hypot(v) / start;
+    for _ in 0..2000 {
+        run.steps(1, h);
+        if size(state(&mut run)) > 1e3 {
+            break;
+        }
+    }
+    size(state(&mut run))
+}
+
+/// ẍ = −x − 2ζẋ: 1 kg on a spring of 1 N/m, 1 m from its pin, in a direction that is none of the axes.
+fn run(stepper: StepperName, zeta: f64, [x, v]: [f64; 2]) -> Run<f64> {
+    let along = skew() * DVec3::X;
+    let particle = |x: f64, v: f64, hold| ModelParticle {
+        position: (x * along).to_array(),
+        velocity: (v * along).to_array(),
+        mass: 1.0,
+        hold,
+    };
+    let model = Model {
+        particles: vec![particle(0.0, 0.0, Hold::Pinned), particle(1.0 + x, v, Hold::Free)],
+        springs: vec![ModelSpring { between: [0, 1], stiffness: 1.0, damping: 2.0 * zeta, rest_length: 1.0 }],
+        ..Model::default()
+    };
+    Run::new(&model, [0.0; 3], stepper, CollisionForm::Reflect).with_tolerance(stepper, 1e-14)
+}
+
+fn state(run: &mut Run<f64>) -> [f64; 2] {
+    let moment = run.moment();
+    let along = skew() * DVec3::X;
+    let [x, v] = [&moment.position, &moment.velocity].map(|vectors| along.dot(DVec3::from(vectors[1])));
+    [x - 1.0, v]
+}
