@@ -13,6 +13,14 @@ use crate::world::View;
 #[derive(Clone, Copy, Debug)]
 pub struct Ledger {
     opened_with: f64,
+    account: Account,
+    /// As it was when the present step began.
+    before: Account,
+}
+
+/// What has been summed up so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Account {
     lost_to_damping: f64,
     lost_in_impacts: f64,
     work_of_pins: f64,
@@ -67,15 +75,7 @@ impl Ledger {
         let opened_with = kinetic(&view.system, &view.current)
             + elastic(&view.system, &view.current)
             + gravitational(&view.system, &view.current);
-        Self {
-            opened_with,
-            lost_to_damping: 0.0,
-            lost_in_impacts: 0.0,
-            work_of_pins: 0.0,
-            damping_power: 0.0,
-            pin_power: 0.0,
-            epoch: None,
-        }
+        Self { opened_with, account: Account::default(), before: Account::default() }
     }
 
     /// The balance at the current state.
@@ -85,9 +85,9 @@ impl Ledger {
             kinetic: kinetic(&view.system, &view.current),
             elastic: elastic(&view.system, &view.current),
             gravitational: gravitational(&view.system, &view.current),
-            lost_to_damping: self.lost_to_damping,
-            lost_in_impacts: self.lost_in_impacts,
-            work_of_pins: self.work_of_pins,
+            lost_to_damping: self.account.lost_to_damping,
+            lost_in_impacts: self.account.lost_in_impacts,
+            work_of_pins: self.account.work_of_pins,
             opened_with: self.opened_with,
         }
     }
@@ -99,20 +99,29 @@ impl<R: Real> Observer<R> for Ledger {
     }
 
     fn advanced(&mut self, view: &mut View<'_, R>, dt: R) {
-        if self.epoch != Some(*view.epoch) {
+        let account = &mut self.account;
+        if account.epoch != Some(*view.epoch) {
             // Impacts, or somebody outside, have changed the state since its powers were worked out.
-            self.damping_power = damping_power(&view.system, &view.current);
-            self.pin_power = pin_power(&view.system, &view.current);
+            account.damping_power = damping_power(&view.system, &view.current);
+            account.pin_power = pin_power(&view.system, &view.current);
         }
         let half = 0.5 * dt.to_f64();
         let (damping, pins) = (damping_power(&view.system, &view.next), pin_power(&view.system, &view.next));
-        self.lost_to_damping += half * (self.damping_power + damping);
-        self.work_of_pins += half * (self.pin_power + pins);
-        (self.damping_power, self.pin_power) = (damping, pins);
-        self.epoch = Some(*view.epoch + 1);
+        account.lost_to_damping += half * (account.damping_power + damping);
+        account.work_of_pins += half * (account.pin_power + pins);
+        (account.damping_power, account.pin_power) = (damping, pins);
+        account.epoch = Some(*view.epoch + 1);
     }
 
     fn lost_in_impacts(&mut self, energy: f64) {
-        self.lost_in_impacts += energy;
+        self.account.lost_in_impacts += energy;
+    }
+
+    fn begins(&mut self) {
+        self.before = self.account;
+    }
+
+    fn fails(&mut self) {
+        self.account = self.before;
     }
 }

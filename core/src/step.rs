@@ -18,6 +18,12 @@ pub trait Observer<R: Real> {
 
     /// Impacts have taken this energy, J.
     fn lost_in_impacts(&mut self, energy: f64);
+
+    /// A step begins.
+    fn begins(&mut self) {}
+
+    /// It has failed: whatever it has been told since the step began has not been.
+    fn fails(&mut self) {}
 }
 
 impl<R: Real> Observer<R> for () {
@@ -90,8 +96,10 @@ impl<R: Real> View<'_, R> {
         stepper.fit(&self.system.plan)?;
         response.fit(&self.system.plan)?;
         self.end = end;
+        observer.begins();
         let stepped = response.step(self, stepper, dt, observer);
         if stepped.is_err() {
+            observer.fails();
             // What the stepper may remember of the state that was not to be must not pass for that of one to come.
             *self.epoch += 2;
         }

@@ -17,8 +17,8 @@ fn refused(scene: &str, arguments: &[&str], parts: &[&str]) {
 
 #[test]
 fn outputs() {
-    refused(ROPE, &["--out", "x.foo"], &["x.foo", ".foo", ".csv, .npz", "help:"]);
-    refused(ROPE, &["--out", "x"], &["--out x has no ending", ".csv, .npz"]);
+    refused(ROPE, &["--out", "x.foo"], &["x.foo", ".foo", ".csv, .npz, .gif, .png", "help:"]);
+    refused(ROPE, &["--out", "x"], &["--out x has no ending", ".csv, .npz, .gif, .png"]);
     refused(ROPE, &["--out", "none/x.csv"], &["there is no folder none", "mkdir -p none"]);
     refused(ROPE, &["--out", "./good.csv"], &["./good.csv is given twice"]);
     refused(ROPE, &["--out", "-", "--out", "-"], &["--out - is given twice"]);

@@ -71,7 +71,7 @@ fn completions_for_every_shell() {
 fn help_shows_examples_and_units() {
     let folder = Folder::empty();
     let answer = folder.hooke(&["--help"]).exits(0);
-    answer.prints(&["Examples:", "hooke new rope", "hooke run rope.toml --out rope.csv", "Units are SI", "Exit codes"]);
+    answer.prints(&["Examples:", "hooke new rope", "hooke run rope.toml --out rope.gif", "Units are SI", "Exit codes"]);
     folder.hooke(&["help", "run"]).exits(0).prints(&["Examples:", "--out <FILE>", "--time-step", "Ctrl-C", "NPZ"]);
     folder.hooke(&["--version"]).exits(0).prints(&["hooke "]);
 }

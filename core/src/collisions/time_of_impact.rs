@@ -61,8 +61,11 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
         view.system.support = view.system.plan.planes > 0;
         let (position, velocity) = self.start.lend();
         let mut start = Start { state: State { position, velocity }, clock: None };
-        let stepped = step(view, stepper, dt, observer, &mut start);
-        if stepped.is_err() {
+        let mut stepped = step(view, stepper, dt, observer, &mut start);
+        if let Err(StepError::NonFinite { .. }) = stepped {
+            // The first by number may be one in free flight, which had not had its turn.
+            fly_along(view, stepper.curvature(), dt, &mut StepReport::default());
+            stepped = refuse_non_finite(view).and(stepped);
             start.restore(view);
         }
         view.system.support = false;

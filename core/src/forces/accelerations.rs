@@ -21,9 +21,13 @@ pub fn add_springs<R: Real>(
     mut out: ColumnsMut<'_, R>,
 ) {
     for (slot, incidences) in system.springs.by_slot(system.plan.attached) {
+        let inverse_mass = at(system.inverse_mass, slot);
+        if inverse_mass == R::ZERO {
+            // Held, whatever pulls: 0 times an infinite force would not be 0.
+            continue;
+        }
         let force = net_force(position, force_density, slot, incidences);
-        // A held particle's inverse mass is 0, so nothing is added to it.
-        let acceleration = along(fetch(read(&out), slot), at(system.inverse_mass, slot), force);
+        let acceleration = along(fetch(read(&out), slot), inverse_mass, force);
         store(&mut out, slot, acceleration);
     }
 }

@@ -8,7 +8,7 @@ const EXAMPLES: &str = "\
 Examples:
   hooke new rope                              write rope.toml, a scene to start from
   hooke check rope.toml                       what it needs, and which time steps are stable
-  hooke run rope.toml --out rope.csv          simulate it, and record every frame
+  hooke run rope.toml --out rope.gif          simulate it, and see it move
   hooke run rope.toml --out - | head          the same, to standard output
 
 Units are SI: metres, seconds, kilograms, newtons.
@@ -73,7 +73,7 @@ pub(super) enum Verb {
 pub(super) struct RunArguments {
     /// The scene file, TOML or JSON.
     pub(super) scene: PathBuf,
-    /// Where to record to; the ending says how: .csv or .npz. Repeat it for more than one; - is CSV to standard output.
+    /// Where to record to; the ending says how: .gif, .png (one a frame, numbered), .csv or .npz. Repeat it for more than one; - is CSV to standard output.
     /// Without it nothing is recorded.
     #[arg(short, long, value_name = "FILE")]
     pub(super) out: Vec<PathBuf>,

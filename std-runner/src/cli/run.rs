@@ -30,7 +30,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
 fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, ledger: bool) -> Result<Outcome, Failure> {
     let (model, settings) = (&loaded.model, loaded.scene.settings());
     let begin = |start: &Start| {
-        let recording = Recording { model, start };
+        let recording = Recording { model, settings, start };
         let recorded_bytes = outputs.bytes(recording, R::SIZE);
         warn(&advise(&Subject { model, settings, start, recorded_bytes }));
         outputs.open::<R>(recording)

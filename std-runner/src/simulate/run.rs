@@ -231,7 +231,10 @@ impl<R: Sample> Run<R> {
             self.count(&report);
             from = stop;
         }
+        // A shortened last step may be within bounds that the others are not: it says nothing of the run.
+        let whole = schedule.short_step().is_none() || step < schedule.steps();
         if let Some(choice) = self.method.stepper.choice()
+            && whole
             && self.summary.choices.iter().all(|other| other.chosen != choice.chosen)
         {
             self.summary.choices.push(choice);

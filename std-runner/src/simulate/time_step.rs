@@ -6,7 +6,7 @@ use crate::scene::{CollisionForm, Settings, StepperName, TimeStep};
 
 /// The part of the largest stable time step that is taken: at the bound itself the stiffest motion is stable but
 /// wrong, and springs that stretch and turn on the way may lower it.
-const PART_OF_BOUND: f64 = 0.5;
+const PART_OF_BOUND: f64 = 0.25;
 
 /// No step that is chosen is longer than this, s: a slow scene is still to be drawn smoothly.
 const LONGEST: f64 = 0.01;
@@ -26,7 +26,8 @@ pub fn choose_time_step(settings: &Settings, plan: &Plan, bound: Option<&Stabili
                 StepperName::Auto | StepperName::VelocityVerlet => bound.velocity_verlet,
                 StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
                 // It has no stable one where anything is undamped: then it is at least to grow slowly.
-                StepperName::ExplicitEuler => bound.explicit_euler.max(0.01 / bound.frequency),
+                StepperName::ExplicitEuler if bound.explicit_euler > 0.0 => bound.explicit_euler,
+                StepperName::ExplicitEuler => 0.01 / bound.frequency,
                 StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised => f64::INFINITY,
             });
             let part = PART_OF_BOUND * limit;
