@@ -24,3 +24,8 @@ pub mod scene_runs;
 pub mod scenes;
 pub mod stability;
 pub mod trusted;
+
+/// The example of the README is compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
