@@ -75,6 +75,18 @@ fn a_reader_that_has_seen_enough_ends_the_run_quietly() {
 }
 
 #[test]
+fn a_named_pipe_is_recorded_to() {
+    let folder = Folder::with(ROPE);
+    for name in ["x.csv", "x.gif"] {
+        assert!(Command::new("mkfifo").arg(folder.file(name)).status().unwrap().success());
+        let child = hooke(&folder, &["run", "scene.toml", "--out", name]).stderr(Stdio::null()).spawn().unwrap();
+        let recorded = fs::read(folder.file(name)).unwrap();
+        assert!(child.wait_with_output().unwrap().status.success());
+        assert!(recorded.starts_with(b"frame,time,") || recorded.starts_with(b"GIF89a"), "{name}");
+    }
+}
+
+#[test]
 #[cfg(target_os = "linux")]
 fn full_disks_are_told() {
     let folder = Folder::with(ROPE);

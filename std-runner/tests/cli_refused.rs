@@ -32,6 +32,27 @@ fn an_output_that_is_a_folder() {
 }
 
 #[test]
+#[cfg(unix)]
+fn an_output_that_leads_to_the_scene() {
+    let folder = Folder::with(ROPE);
+    std::os::unix::fs::symlink("scene.toml", folder.file("x.csv")).unwrap();
+    let answer = folder.hooke(&["run", "scene.toml", "--out", "x.csv"]).exits(2);
+    answer.prints_nothing().tells(&["--out x.csv leads to the scene file itself", "another file"]);
+    assert_eq!(fs::read_to_string(folder.file("scene.toml")).unwrap(), ROPE);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn places_that_take_no_file() {
+    for place in ["/proc/x.csv", "/proc/x.gif", "/proc/x.npz", "/proc/x.png"] {
+        refused(ROPE, &["--out", place], &["cannot write /proc/x", "another place"]);
+    }
+    let folder = Folder::with(ROPE);
+    std::os::unix::fs::symlink("/dev/null", folder.file("x.npz")).unwrap();
+    folder.hooke(&["run", "scene.toml", "--out", "x.npz"]).exits(2).tells(&["a pipe or a device", "another format"]);
+}
+
+#[test]
 fn scenes() {
     refused("gravty = [0.0, 0.0, 1.0]", &[], &["scene.toml:1:1", "gravty", "gravity"]);
     refused("duration = -1.0", &[], &["scene.toml:1:", "duration", "-1.0", "more than 0"]);

@@ -20,7 +20,7 @@ use crate::units::counted;
 
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
-    let outputs = Outputs::check(&arguments.out)?;
+    let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
     match loaded.scene.settings().precision {
         Precision::F32 => run_in::<f32>(&loaded, &outputs, !arguments.no_ledger),
         Precision::F64 => run_in::<f64>(&loaded, &outputs, !arguments.no_ledger),
