@@ -72,6 +72,39 @@ fn flags() {
 }
 
 #[test]
+fn runs_without_an_end() {
+    let parts = ["more steps or frames than can be counted", "--duration", "--time-step", "--frame-rate"];
+    refused(ROPE, &["--duration", "1e308"], &parts);
+    refused(ROPE, &["--frame-rate", "1e300"], &parts);
+    refused(ROPE, &["--time-step", "1e-300", "--precision", "f64"], &parts);
+    refused("[[particle]]\nposition = [0.0, 0.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]", &["--duration", "1e308"], &parts);
+    let check = Folder::with(ROPE).hooke(&["check", "scene.toml", "--duration", "1e308"]).exits(2);
+    check.prints_nothing().tells(&parts);
+}
+
+#[test]
+fn a_name_of_one_line() {
+    for name in ["a\\u001b[31mb", "a\\nb"] {
+        refused(&format!("name = \"{name}\"\n{ROPE}"), &[], &["scene.toml:1:8", "one line of text"]);
+    }
+}
+
+#[test]
+fn little_is_shown_of_a_long_line() {
+    let folder = Folder::empty();
+    let particles = vec!["{\"position\": [0, 0, 0]}"; 10_000].join(", ");
+    for (rest, place) in [("\"gravty\": 1", "scene.json:1:250017"), ("\"name\": [1]", "scene.json:1:250024")] {
+        fs::write(folder.file("scene.json"), format!("{{\"particle\": [{particles}], {rest}}}")).unwrap();
+        let answer = folder.hooke(&["check", "scene.json"]).exits(2).tells(&[place, rest, "`--"]);
+        assert!(answer.error().len() < 2000, "{}", answer.error().len());
+    }
+    let list = vec!["1.0"; 10_000].join(",\n");
+    fs::write(folder.file("scene.toml"), format!("duration = [\n{list}\n]\n")).unwrap();
+    let answer = folder.hooke(&["check", "scene.toml"]).exits(2).tells(&["scene.toml:1:12", "found a list"]);
+    assert!(answer.error().len() < 2000, "{}", answer.error());
+}
+
+#[test]
 fn no_verb_at_all() {
     Folder::empty().hooke(&[]).exits(2).tells(&["Usage: hooke", "run", "check", "new"]);
 }

@@ -10,11 +10,11 @@ use super::interrupt;
 use super::outputs::Outputs;
 use super::print;
 use super::progress::Bar;
-use super::scene::{Loaded, out_of_range, warn};
+use super::scene::{Loaded, endless, out_of_range, warn};
 use super::told;
 use crate::advice::{Subject, advise};
 use crate::record::Sample;
-use crate::scene::Precision;
+use crate::scene::{Precision, Settings};
 use crate::simulate::{Options, RunError, Start, run as simulate};
 use crate::units::counted;
 
@@ -47,13 +47,14 @@ fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, ledger: bool) -> Result
             print::message(&told::summary(settings, &summary, &files));
             told::outcome(model, settings, &summary, !files.is_empty())
         }
-        Err(error) => stopped(error, outputs),
+        Err(error) => stopped(error, settings, outputs),
     }
 }
 
-fn stopped(error: RunError, outputs: &Outputs) -> Result<Outcome, Failure> {
+fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Outcome, Failure> {
     match error {
         RunError::Build(error) => Err(out_of_range(&error)),
+        RunError::Endless(start) => Err(endless(settings, &start)),
         RunError::Begin(error) => Err(Failure::input(error.to_string(), "choose another place to record to")),
         // Who reads the rows has seen enough.
         RunError::Record { error, .. }
