@@ -46,6 +46,15 @@ fn unsolved_steps_are_a_failure() {
 
 #[test]
 fn interrupting_ends_in_order() {
+    ends_in_order("-INT");
+}
+
+#[test]
+fn being_asked_to_terminate_ends_in_order() {
+    ends_in_order("-TERM");
+}
+
+fn ends_in_order(signal: &str) {
     let folder = Folder::with(ROPE);
     let arguments =
         ["run", "scene.toml", "--duration", "1e6", "--frame-rate", "200", "--out", "a.csv", "--out", "a.npz"];
@@ -53,7 +62,7 @@ fn interrupting_ends_in_order() {
     while fs::metadata(folder.file("a.csv")).map_or(0, |file| file.len()) < 10_000 {
         thread::sleep(Duration::from_millis(5));
     }
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
     let error = String::from_utf8(output.stderr).unwrap();
@@ -72,6 +81,18 @@ fn a_reader_that_has_seen_enough_ends_the_run_quietly() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(line, "frame,time,particle,x,y,z,vx,vy,vz\n");
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
+
+#[test]
+fn a_named_pipe_is_recorded_to() {
+    let folder = Folder::with(ROPE);
+    for name in ["x.csv", "x.gif"] {
+        assert!(Command::new("mkfifo").arg(folder.file(name)).status().unwrap().success());
+        let child = hooke(&folder, &["run", "scene.toml", "--out", name]).stderr(Stdio::null()).spawn().unwrap();
+        let recorded = fs::read(folder.file(name)).unwrap();
+        assert!(child.wait_with_output().unwrap().status.success());
+        assert!(recorded.starts_with(b"frame,time,") || recorded.starts_with(b"GIF89a"), "{name}");
+    }
 }
 
 #[test]

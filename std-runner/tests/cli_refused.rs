@@ -32,6 +32,27 @@ fn an_output_that_is_a_folder() {
 }
 
 #[test]
+#[cfg(unix)]
+fn an_output_that_leads_to_the_scene() {
+    let folder = Folder::with(ROPE);
+    std::os::unix::fs::symlink("scene.toml", folder.file("x.csv")).unwrap();
+    let answer = folder.hooke(&["run", "scene.toml", "--out", "x.csv"]).exits(2);
+    answer.prints_nothing().tells(&["--out x.csv leads to the scene file itself", "another file"]);
+    assert_eq!(fs::read_to_string(folder.file("scene.toml")).unwrap(), ROPE);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn places_that_take_no_file() {
+    for place in ["/proc/x.csv", "/proc/x.gif", "/proc/x.npz", "/proc/x.png"] {
+        refused(ROPE, &["--out", place], &["cannot write /proc/x", "another place"]);
+    }
+    let folder = Folder::with(ROPE);
+    std::os::unix::fs::symlink("/dev/null", folder.file("x.npz")).unwrap();
+    folder.hooke(&["run", "scene.toml", "--out", "x.npz"]).exits(2).tells(&["a pipe or a device", "another format"]);
+}
+
+#[test]
 fn scenes() {
     refused("gravty = [0.0, 0.0, 1.0]", &[], &["scene.toml:1:1", "gravty", "gravity"]);
     refused("duration = -1.0", &[], &["scene.toml:1:", "duration", "-1.0", "more than 0"]);
@@ -48,6 +69,39 @@ fn flags() {
     refused(ROPE, &["--stepper", "newton"], &["newton", "velocity-verlet"]);
     refused(ROPE, &["--gravity", "1,2"], &["1,2", "three numbers"]);
     refused(ROPE, &["--unknown"], &["--unknown"]);
+}
+
+#[test]
+fn runs_without_an_end() {
+    let parts = ["more steps or frames than can be counted", "--duration", "--time-step", "--frame-rate"];
+    refused(ROPE, &["--duration", "1e308"], &parts);
+    refused(ROPE, &["--frame-rate", "1e300"], &parts);
+    refused(ROPE, &["--time-step", "1e-300", "--precision", "f64"], &parts);
+    refused("[[particle]]\nposition = [0.0, 0.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]", &["--duration", "1e308"], &parts);
+    let check = Folder::with(ROPE).hooke(&["check", "scene.toml", "--duration", "1e308"]).exits(2);
+    check.prints_nothing().tells(&parts);
+}
+
+#[test]
+fn a_name_of_one_line() {
+    for name in ["a\\u001b[31mb", "a\\nb"] {
+        refused(&format!("name = \"{name}\"\n{ROPE}"), &[], &["scene.toml:1:8", "one line of text"]);
+    }
+}
+
+#[test]
+fn little_is_shown_of_a_long_line() {
+    let folder = Folder::empty();
+    let particles = vec!["{\"position\": [0, 0, 0]}"; 10_000].join(", ");
+    for (rest, place) in [("\"gravty\": 1", "scene.json:1:250017"), ("\"name\": [1]", "scene.json:1:250024")] {
+        fs::write(folder.file("scene.json"), format!("{{\"particle\": [{particles}], {rest}}}")).unwrap();
+        let answer = folder.hooke(&["check", "scene.json"]).exits(2).tells(&[place, rest, "`--"]);
+        assert!(answer.error().len() < 2000, "{}", answer.error().len());
+    }
+    let list = vec!["1.0"; 10_000].join(",\n");
+    fs::write(folder.file("scene.toml"), format!("duration = [\n{list}\n]\n")).unwrap();
+    let answer = folder.hooke(&["check", "scene.toml"]).exits(2).tells(&["scene.toml:1:12", "found a list"]);
+    assert!(answer.error().len() < 2000, "{}", answer.error());
 }
 
 #[test]

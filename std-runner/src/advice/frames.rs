@@ -1,7 +1,7 @@
 //! How often the run is looked at, and what that costs.
 
 use super::{Advice, Subject, Topic};
-use crate::units::{bytes, seconds, short};
+use crate::units::{bytes, counted, seconds, short};
 
 /// Bytes of recordings that are worth a word.
 const LARGE: u128 = 1_000_000_000;
@@ -14,8 +14,9 @@ pub(super) fn between_steps(subject: &Subject<'_>) -> Option<Advice> {
         return None;
     }
     let message = format!(
-        "{rate} frames per second are more than the {} steps per second that steps of {} make: frames between steps \
-         are interpolated",
+        "{} frames per second are more than the {} steps per second that steps of {} make: frames between steps are \
+         interpolated",
+        short(rate),
         short(1.0 / time_step),
         seconds(time_step)
     );
@@ -30,9 +31,9 @@ pub(super) fn large(subject: &Subject<'_>) -> Option<Advice> {
         return None;
     }
     let message = format!(
-        "{} frames of {} particles take about {} of disk",
-        subject.start.schedule.frames(),
-        subject.model.particles.len(),
+        "{} of {} take about {} of disk",
+        counted(subject.start.schedule.frames(), "frame"),
+        counted(subject.model.particles.len() as u64, "particle"),
         bytes(subject.recorded_bytes)
     );
     Some(Advice { topic: Topic::LargeRecordings, message, remedy: "use a lower --frame-rate".to_owned() })

@@ -25,7 +25,7 @@ Examples:
 CSV has a row for each particle of each frame: frame,time,particle,x,y,z,vx,vy,vz (s, m, m/s).
 NPZ has the arrays time (F), position (F, P, 3), velocity (F, P, 3), springs (S, 2).
 
-Ctrl-C ends the run after the step it is at and leaves every recording readable; a second one ends it at once.
+Ctrl-C or SIGTERM ends the run after the step it is at and leaves every recording readable; a second one ends it at once.
 Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 interrupted.";
 
 const CHECK_EXAMPLES: &str = "\

@@ -28,13 +28,18 @@ pub(super) enum Output {
 pub(super) struct Outputs(Vec<Output>);
 
 impl Outputs {
-    /// Refuses what cannot be recorded to.
-    pub(super) fn check(paths: &[PathBuf]) -> Result<Self, Failure> {
+    /// Refuses what cannot be recorded to, and the file that `scene` is read from.
+    pub(super) fn check(paths: &[PathBuf], scene: &Path) -> Result<Self, Failure> {
+        let scene = same_for_one_file(scene);
         let mut seen: Vec<PathBuf> = Vec::new();
         let mut outputs = Vec::new();
         for path in paths {
             outputs.push(Output::check(path)?);
             let place = same_for_one_file(path);
+            if place == scene {
+                let message = format!("--out {} leads to the scene file itself", path.display());
+                return Err(Failure::input(message, "record to another file"));
+            }
             if seen.contains(&place) {
                 let message = format!("--out {} is given twice", path.display());
                 return Err(Failure::input(message, "give every recording a file of its own"));
@@ -106,10 +111,17 @@ impl Output {
             ));
         };
         check_place(path, "--out")?;
-        // An existing file is opened without changing it, to see whether it may be written.
-        let new = !path.exists();
-        if !new && let Err(error) = OpenOptions::new().write(true).open(path) {
-            return Err(Failure::input(format!("--out {shown} cannot be written: {error}"), "choose another file"));
+        let found = fs::metadata(path);
+        let new = found.is_err();
+        if found.is_ok_and(|found| found.is_file()) {
+            // An existing file is opened without changing it, to see whether it may be written.
+            if let Err(error) = OpenOptions::new().write(true).open(path) {
+                return Err(Failure::input(format!("--out {shown} cannot be written: {error}"), "choose another file"));
+            }
+        } else if !new && format == Format::Npz {
+            // A pipe is opened only once: who reads it would take the second time for the end.
+            let message = format!("--out {shown} is a pipe or a device, and NPZ is written at many places of a file");
+            return Err(Failure::input(message, "choose a file, or another format"));
         }
         Ok(Self::File { path: path.to_owned(), format, new })
     }

@@ -10,17 +10,17 @@ use super::interrupt;
 use super::outputs::Outputs;
 use super::print;
 use super::progress::Bar;
-use super::scene::{Loaded, out_of_range, warn};
+use super::scene::{Loaded, endless, out_of_range, warn};
 use super::told;
 use crate::advice::{Subject, advise};
 use crate::record::Sample;
-use crate::scene::Precision;
+use crate::scene::{Precision, Settings};
 use crate::simulate::{Options, RunError, Start, run as simulate};
 use crate::units::counted;
 
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
-    let outputs = Outputs::check(&arguments.out)?;
+    let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
     match loaded.scene.settings().precision {
         Precision::F32 => run_in::<f32>(&loaded, &outputs, !arguments.no_ledger),
         Precision::F64 => run_in::<f64>(&loaded, &outputs, !arguments.no_ledger),
@@ -47,13 +47,14 @@ fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, ledger: bool) -> Result
             print::message(&told::summary(settings, &summary, &files));
             told::outcome(model, settings, &summary, !files.is_empty())
         }
-        Err(error) => stopped(error, outputs),
+        Err(error) => stopped(error, settings, outputs),
     }
 }
 
-fn stopped(error: RunError, outputs: &Outputs) -> Result<Outcome, Failure> {
+fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Outcome, Failure> {
     match error {
         RunError::Build(error) => Err(out_of_range(&error)),
+        RunError::Endless(start) => Err(endless(settings, &start)),
         RunError::Begin(error) => Err(Failure::input(error.to_string(), "choose another place to record to")),
         // Who reads the rows has seen enough.
         RunError::Record { error, .. }

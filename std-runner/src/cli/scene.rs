@@ -8,8 +8,8 @@ use super::failure::Failure;
 use super::print;
 use crate::advice::{Advice, vanishing_time_step};
 use crate::model::Model;
-use crate::scene::{Overrides, Precision, Scene, TimeStep};
-use crate::simulate::{BuildError, Start};
+use crate::scene::{Overrides, Precision, Scene, Settings, TimeStep};
+use crate::simulate::{BuildError, MOST, Start};
 
 /// A scene that can be run.
 pub(super) struct Loaded {
@@ -40,8 +40,21 @@ impl Loaded {
             Precision::F32 => of::<f32>(self),
             Precision::F64 => of::<f64>(self),
         };
-        start.map_err(|error| out_of_range(&error))
+        let start = start.map_err(|error| out_of_range(&error))?;
+        let settings = self.scene.settings();
+        if start.schedule.is_countable() { Ok(start) } else { Err(endless(settings, &start)) }
     }
+}
+
+/// A run of more steps or frames than can be counted.
+pub(super) fn endless(settings: &Settings, start: &Start) -> Failure {
+    let Settings { duration, frame_rate, .. } = settings;
+    let steps = start.time_step.map_or_else(String::new, |time_step| format!(" in steps of {time_step:?} s"));
+    let message = format!(
+        "a duration of {duration:?} s{steps}, at {frame_rate:?} frames per second, makes more steps or frames than can \
+         be counted: {MOST}"
+    );
+    Failure::input(message, "use a shorter --duration, a longer --time-step, or a lower --frame-rate")
 }
 
 /// What the precision of the run cannot hold.

@@ -17,10 +17,16 @@ pub(super) fn numbers(values: &[f64]) -> Vec<String> {
     let exponent = if largest > 0.0 { largest.log10().floor() } else { 0.0 };
     let text: Vec<String> = if (-6.0..9.0).contains(&exponent) {
         let decimals = (5.0 - exponent).clamp(0.0, 12.0) as usize;
-        values.iter().map(|value| format!("{value:.decimals$}")).collect()
+        values.iter().map(|value| unsigned_zero(format!("{value:.decimals$}"))).collect()
     } else {
         values.iter().map(|value| format!("{value:.5e}")).collect()
     };
     let width = text.iter().map(|text| text.chars().count()).max().unwrap_or(0);
     text.iter().map(|text| format!("{text:>width$}")).collect()
+}
+
+/// What rounds to 0 is told as 0 and not as −0.
+fn unsigned_zero(text: String) -> String {
+    let is_zero = text.chars().all(|character| matches!(character, '-' | '0' | '.'));
+    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
 }

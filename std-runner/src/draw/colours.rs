@@ -16,7 +16,8 @@ pub(super) const TRACK: Colour = [20, 140, 110];
 /// Particles that springs hold.
 pub(super) const JOINT: Colour = [88, 98, 118];
 /// Particles that nothing holds; neighbours get different ones.
-pub(super) const BALLS: [Colour; 4] = [[240, 158, 30], [38, 160, 164], [146, 98, 200], [226, 96, 112]];
+pub(super) const BALLS: [Colour; 6] =
+    [[240, 158, 30], [38, 160, 164], [146, 98, 200], [226, 96, 112], [66, 128, 220], [120, 174, 64]];
 
 /// From most compressed to most stretched.
 const STRAIN: [Colour; 7] =

@@ -21,11 +21,14 @@ impl PngRecorder {
     /// Makes the folder for the pictures, if it is not there.
     ///
     /// # Errors
-    /// When the folder can't be made.
+    /// When the folder can't be made, or no file in it.
     pub fn create(path: &Path, picture: Picture) -> Result<Self, RecordError> {
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(|source| failure(folder, source))?;
         }
+        let first = Self::numbered(path, 0);
+        let partial = partial(&first);
+        fs::write(&partial, []).and_then(|()| fs::remove_file(&partial)).map_err(|source| failure(&first, source))?;
         Ok(Self { path: path.to_owned(), picture, rows: Vec::new() })
     }
 
@@ -49,9 +52,11 @@ impl<R: Real> Recorder<R> for PngRecorder {
             })
             .and_then(|bytes| {
                 // Under its own name, a picture is always a whole one.
-                let partial = path.with_extension("part");
-                fs::write(&partial, bytes)?;
-                fs::rename(&partial, &path)
+                let partial = partial(&path);
+                fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, &path)).inspect_err(|_| {
+                    // It may not have come to be.
+                    let _ = fs::remove_file(&partial);
+                })
             });
         written.map_err(|source| failure(&path, source))
     }
@@ -73,6 +78,11 @@ fn encode(canvas: &Canvas, rows: &mut Vec<u8>) -> Result<Vec<u8>, EncodingError>
     writer.write_image_data(rows)?;
     writer.finish()?;
     Ok(bytes)
+}
+
+/// What a picture is called while it is written.
+fn partial(path: &Path) -> PathBuf {
+    path.with_extension("part")
 }
 
 fn failure(path: &Path, source: io::Error) -> RecordError {

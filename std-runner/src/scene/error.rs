@@ -5,8 +5,9 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, SourceSpan};
 
+use super::excerpt::Excerpt;
 use super::read::KeyPath;
 
 /// A scene that cannot be run: the place, the value found there, and the remedy.
@@ -27,7 +28,7 @@ struct Refused {
     #[help]
     remedy: String,
     #[source_code]
-    text: Option<NamedSource<Arc<str>>>,
+    text: Option<Excerpt>,
     #[label("{label}")]
     span: Option<SourceSpan>,
 }
@@ -66,8 +67,8 @@ impl SceneError {
             message: refusal.message,
             label: refusal.label,
             remedy: refusal.remedy,
-            text: Some(NamedSource::new(file, Arc::clone(text))),
-            span: Some(SourceSpan::from(span)),
+            text: Some(Excerpt::new(file, text)),
+            span: Some(Excerpt::underlined(text, span.start, span.end)),
         }))
     }
 }

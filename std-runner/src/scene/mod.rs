@@ -2,6 +2,7 @@
 
 mod checks;
 mod error;
+mod excerpt;
 mod file;
 mod generators;
 mod names;

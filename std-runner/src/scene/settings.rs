@@ -44,6 +44,10 @@ const PICTURE_SIDE: std::ops::RangeInclusive<u32> = 16..=8192;
 
 impl Settings {
     pub(super) fn check(&self) -> Result<(), Problem> {
+        if self.name.chars().any(char::is_control) {
+            let rule = "it must be one line of text, without control characters";
+            return Err(Problem::new("name", &self.name, rule, "write a name such as \"hanging cloth\""));
+        }
         checks::vector("gravity", self.gravity, "m/s²")?;
         checks::positive("duration", self.duration, "seconds")?;
         if let TimeStep::Seconds(seconds) = self.time_step {

@@ -14,6 +14,6 @@ pub use build::{BuildError, HeapWorld, world};
 pub use heap::{Heap, HeapColumn};
 pub use method::{AnyResponse, AnyStepper};
 pub use run::{Options, Progress, RunError, Start, run};
-pub use schedule::Schedule;
+pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
 pub use time_step::choose_time_step;

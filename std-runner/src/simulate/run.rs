@@ -8,7 +8,7 @@ use hooke::{Ledger, Observer, Plan, Real, StabilityBound, StepError, StepReport,
 use super::build::{BuildError, HeapWorld, world};
 use super::interpolate::{Moment, hermite};
 use super::method::{AnyResponse, AnyStepper};
-use super::schedule::Schedule;
+use super::schedule::{MOST, Schedule};
 use super::summary::{Ending, Summary};
 use super::time_step::choose_time_step;
 use super::tracks::Tracks;
@@ -38,6 +38,9 @@ pub enum RunError {
     /// The model is out of the range of its precision.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// There are more steps or frames than can be counted. Nothing has been stepped.
+    #[error("there are more than {MOST} steps or frames")]
+    Endless(Box<Start>),
     /// A recording could not be begun. Nothing has been stepped.
     #[error(transparent)]
     Begin(RecordError),
@@ -85,7 +88,7 @@ impl Start {
 /// Steps a model through its duration and records its frames, as they are made, to what `begin` opens for them.
 ///
 /// # Errors
-/// If the model does not fit the precision `R`, or a frame cannot be written. That a simulation diverges is not an error
+/// If the model does not fit the precision `R`, the run has no end, or a frame cannot be written. That a simulation diverges is not an error
 /// here: the summary tells, and the frames up to then are recorded.
 pub fn run<R: Sample>(
     model: &Model,
@@ -96,6 +99,9 @@ pub fn run<R: Sample>(
     let mut world = world::<R>(model, settings.gravity)?;
     let tracks = Tracks::of(model);
     let start = Start::in_world(&mut world, settings);
+    if !start.schedule.is_countable() {
+        return Err(RunError::Endless(Box::new(start)));
+    }
     let mut run = Run {
         recorders: begin(&start).map_err(RunError::Begin)?,
         position: Vec::with_capacity(model.particles.len()),

@@ -3,6 +3,9 @@
 /// Times that differ by less than this part of a step are the same.
 const SAME: f64 = 1e-9;
 
+/// Up to here, every whole number is an `f64`: the time of a step or a frame is told apart from the one before.
+pub const MOST: u64 = 1 << 53;
+
 /// The steps and the frames of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schedule {
@@ -19,9 +22,15 @@ impl Schedule {
     /// step, one from each frame to the next. Frames at every 1/`frame_rate` seconds and at the end.
     #[must_use]
     pub fn new(duration: f64, time_step: Option<f64>, frame_rate: f64) -> Self {
-        let frames = parts(duration * frame_rate) + 1;
+        let frames = parts(duration * frame_rate).saturating_add(1);
         let steps = time_step.map_or(frames - 1, |time_step| parts(duration / time_step));
         Self { duration, frame_rate, time_step, steps, frames }
+    }
+
+    /// Whether it has at most [`MOST`] steps and frames. One that has more never ends.
+    #[must_use]
+    pub fn is_countable(&self) -> bool {
+        self.steps.max(self.frames) <= MOST
     }
 
     /// How many steps there are.

@@ -22,10 +22,14 @@ impl<'a> Tracks<'a> {
 
     /// The times after `from` and up to `to` at which a step has to end: those of keys in between, and `to`.
     pub fn stops(&self, from: f64, to: f64) -> Vec<f64> {
-        let keys = self.followers.iter().flat_map(|(_, track)| track.keys.iter().map(|(time, _)| *time));
         // A key that is only rounding away from an end of the step is that end.
         let margin = 1e-9 * (to - from);
-        let mut stops: Vec<f64> = keys.filter(|time| *time > from + margin && *time < to - margin).collect();
+        let keys = self.followers.iter().flat_map(|(_, track)| {
+            let first = track.keys.partition_point(|(time, _)| *time <= from + margin);
+            let within = track.keys.iter().skip(first).map(|(time, _)| *time);
+            within.take_while(|time| *time < to - margin)
+        });
+        let mut stops: Vec<f64> = keys.collect();
         stops.sort_by(f64::total_cmp);
         stops.dedup();
         stops.push(to);

@@ -16,8 +16,7 @@ pub(super) fn ledger(balance: &Balance) -> Vec<String> {
         ("-", "at the start", balance.opened_with),
         ("=", "the integrator's own error", balance.remainder()),
     ];
-    // 0 is added so that nothing is told as 0 and not as -0.
-    let values = numbers(&entries.map(|(.., value)| value + 0.0));
+    let values = numbers(&entries.map(|(.., value)| value));
     let mut table: Vec<[String; 4]> = entries
         .iter()
         .zip(values)
