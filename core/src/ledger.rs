@@ -2,7 +2,7 @@
 
 use crate::Real;
 use crate::forces::energy::{damping_power, elastic, gravitational, kinetic, pin_power};
-use crate::step::Observer;
+use crate::roles::Observer;
 use crate::world::View;
 
 /// Follows the energy of a world through its steps.

@@ -28,7 +28,7 @@
 //! # How it is built
 //!
 //! Imports point one way:
-//! `real ← types ← world ← forces, collisions, solve ← steppers ← step`.
+//! `real ← types ← world ← roles ← forces ← solve, collisions ← steppers ← step`.
 //!
 //! - [`Real`] is `f32` or `f64`; nothing else in here knows which.
 //! - A [`Container`] holds columns, one a quantity (`world/layout.rs` lists them with their bytes), in whatever its
@@ -54,6 +54,7 @@ mod collisions;
 mod forces;
 mod ledger;
 mod real;
+mod roles;
 mod solve;
 mod stability;
 mod step;
@@ -63,14 +64,13 @@ mod types;
 mod vectors;
 mod world;
 
-pub use collisions::{Project, Reflect, Response, TimeOfImpact};
+pub use collisions::{Project, Reflect, TimeOfImpact};
 pub use ledger::{Balance, Ledger};
 pub use real::Real;
+pub use roles::{Observer, Response, Stepper};
 pub use stability::StabilityBound;
-pub use step::Observer;
 pub use steppers::{
-    Auto, Choice, Chosen, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, Stepper,
-    VelocityVerlet,
+    Auto, Choice, Chosen, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, VelocityVerlet,
 };
 pub use types::*;
 pub use world::{Column, Container, Coverage, Fixed, Plan, Storage, View, World};

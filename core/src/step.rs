@@ -1,40 +1,31 @@
-//! One step: the stepper advances the state, the response answers collisions, the observer looks on.
+//! Stepping a world: what its user calls.
 
 use crate::Real;
-use crate::collisions::{Answer, Response};
-use crate::steppers::Stepper;
+use crate::roles::{Observer, Response, Stepper};
 use crate::types::{StepError, StepReport};
-use crate::vectors::at;
+use crate::vectors::{at, fetch, read};
 use crate::world::{Clock, Container, Storage, View};
 
-/// Somebody who follows a world through its steps, part by part. `()` looks away, and costs nothing.
-pub trait Observer<R: Real> {
-    /// Whether anything is done with what it is told.
-    fn watches(&self) -> bool;
-
-    /// The stepper has written the state `dt` seconds after the current one to the next one; collisions have not been
-    /// answered yet.
-    fn advanced(&mut self, view: &mut View<'_, R>, dt: R);
-
-    /// Impacts have taken this energy, J.
-    fn lost_in_impacts(&mut self, energy: f64);
-
-    /// A step begins.
-    fn begins(&mut self) {}
-
-    /// It has failed: whatever it has been told since the step began has not been.
-    fn fails(&mut self) {}
-}
-
-impl<R: Real> Observer<R> for () {
-    fn watches(&self) -> bool {
-        false
-    }
-    fn advanced(&mut self, _view: &mut View<'_, R>, _dt: R) {}
-    fn lost_in_impacts(&mut self, _energy: f64) {}
-}
-
 impl<R: Real> View<'_, R> {
+    /// The particles that no spring pulls at as they will be at a later `time` (s), before the end of the next step,
+    /// if the stepper flies them exactly: number, position (m), velocity (m/s). Otherwise nothing. The current state
+    /// stays as it is.
+    pub fn free_at(
+        &mut self,
+        stepper: &mut impl Stepper<R>,
+        time: f64,
+    ) -> Option<impl Iterator<Item = (u32, R::Vec3, R::Vec3)>> {
+        if !stepper.look_ahead(self, time) {
+            return None;
+        }
+        let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
+        let slots = self.system.plan.attached..self.system.plan.particles;
+        let system = self.system;
+        Some(slots.map(move |slot| {
+            (at(system.particle_at, slot), fetch(position, slot).into(), fetch(velocity, slot).into())
+        }))
+    }
+
     /// Takes one step of `dt` seconds.
     ///
     /// # Errors
@@ -120,32 +111,4 @@ impl<R: Real, M: Storage> Container<R, M> {
     ) -> Result<StepReport, StepError> {
         self.view().step(stepper, response, dt)
     }
-}
-
-/// Makes the next state, in which collisions have been answered, the current one.
-pub(crate) fn finish<R: Real>(
-    view: &mut View<'_, R>,
-    report: &mut StepReport,
-    answer: &Answer,
-    observer: &mut impl Observer<R>,
-) {
-    report.hits += answer.hits;
-    if answer.hits > 0 {
-        observer.lost_in_impacts(answer.lost);
-    }
-    view.commit(view.end, answer.hits > 0);
-}
-
-/// Refuses a next state that is not finite, naming the first particle by number.
-pub(crate) fn refuse_non_finite<R: Real>(view: &View<'_, R>) -> Result<(), StepError> {
-    let columns = || view.next.position.iter().chain(&view.next.velocity);
-    let finite = columns().all(|column| column.iter().fold(true, |finite, value| finite & value.is_finite()));
-    if finite {
-        return Ok(());
-    }
-    let particles = columns().flat_map(|column| {
-        let slots = (0..).zip(column.iter()).filter(|(_, value)| !value.is_finite());
-        slots.map(|(slot, _)| at(view.system.particle_at, slot))
-    });
-    Err(StepError::NonFinite { particle: particles.min().unwrap_or(0) })
 }

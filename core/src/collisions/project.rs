@@ -1,11 +1,9 @@
 //! The response that also puts particles back on the plane.
 
-use super::Response;
-use super::reflect::answer;
+use super::reflect::{answer, finish};
 use crate::Real;
 use crate::forces::energy::{elastic, gravitational};
-use crate::step::{Observer, finish, refuse_non_finite};
-use crate::steppers::Stepper;
+use crate::roles::{Observer, Response, Stepper};
 use crate::types::{StepError, StepReport};
 use crate::vectors::along;
 use crate::world::View;
@@ -27,7 +25,7 @@ impl<R: Real> Response<R> for Project {
     ) -> Result<StepReport, StepError> {
         let mut report = stepper.advance(view, dt);
         report.substeps = 1;
-        refuse_non_finite(view)?;
+        view.refuse_non_finite()?;
         observer.advanced(view, dt);
         let watched = observer.watches() && view.system.plan.planes > 0;
         let potential = |view: &View<'_, R>| {

@@ -1,9 +1,7 @@
 //! The response that turns velocities round and leaves positions.
 
-use super::Response;
 use crate::Real;
-use crate::step::{Observer, finish, refuse_non_finite};
-use crate::steppers::Stepper;
+use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, store};
 use crate::world::{State, System, View};
@@ -25,7 +23,7 @@ impl<R: Real> Response<R> for Reflect {
     ) -> Result<StepReport, StepError> {
         let mut report = stepper.advance(view, dt);
         report.substeps = 1;
-        refuse_non_finite(view)?;
+        view.refuse_non_finite()?;
         observer.advanced(view, dt);
         let answer = answer(&view.system, &mut view.next, |_, _, position| position);
         finish(view, &mut report, &answer, observer);
@@ -69,4 +67,18 @@ pub fn answer<R: Real>(
         }
     }
     answer
+}
+
+/// Makes the next state, in which collisions have been answered, the current one.
+pub(crate) fn finish<R: Real>(
+    view: &mut View<'_, R>,
+    report: &mut StepReport,
+    answer: &Answer,
+    observer: &mut impl Observer<R>,
+) {
+    report.hits += answer.hits;
+    if answer.hits > 0 {
+        observer.lost_in_impacts(answer.lost);
+    }
+    view.commit(view.end, answer.hits > 0);
 }

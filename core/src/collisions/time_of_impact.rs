@@ -1,12 +1,11 @@
 //! The response that finds hits inside the step.
 
+use super::Answer;
 use super::bounce::{Flight, Path, first_contact, half_square};
 use super::contact::{lies_on, resting, touching};
-use super::{Answer, Response};
 use crate::Real;
 use crate::forces::net_force;
-use crate::step::{Observer, refuse_non_finite};
-use crate::steppers::Stepper;
+use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Full, Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, store};
 use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View};
@@ -65,7 +64,7 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
         if let Err(StepError::NonFinite { .. }) = stepped {
             // The first by number may be one in free flight, which had not had its turn.
             fly_along(view, stepper.curvature(), dt, &mut StepReport::default());
-            stepped = refuse_non_finite(view).and(stepped);
+            stepped = view.refuse_non_finite().and(stepped);
             start.restore(view);
         }
         view.system.support = false;
@@ -128,7 +127,7 @@ fn step<R: Real>(
             start.save(view);
             if hit.tau > R::ZERO {
                 report.add(&stepper.advance(&mut view.attached(), hit.tau));
-                refuse_non_finite(&view.attached())?;
+                view.attached().refuse_non_finite()?;
                 keep_lying(&mut view.attached());
                 observer.advanced(view, hit.tau);
                 view.next.keep(view.system.plan.attached, &view.current);
@@ -149,7 +148,7 @@ fn step<R: Real>(
         Some(lost) => lost,
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
-    refuse_non_finite(view)?;
+    view.refuse_non_finite()?;
     observer.lost_in_impacts(stopped.lost + lost);
     report.substeps += 1;
     view.commit(view.end, stopped.hits > 0);
@@ -165,7 +164,7 @@ fn advance_to_hit<R: Real>(
 ) -> Result<Option<Hit<R>>, StepError> {
     let mut attached = view.attached();
     report.add(&stepper.advance(&mut attached, rest));
-    refuse_non_finite(&attached)?;
+    attached.refuse_non_finite()?;
     keep_lying(&mut attached);
     Ok(first_hit(&attached, rest))
 }

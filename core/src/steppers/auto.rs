@@ -2,9 +2,10 @@
 
 use core::fmt;
 
-use super::{ImplicitEuler, SemiImplicitEuler, Stepper, VelocityVerlet};
+use super::{ImplicitEuler, SemiImplicitEuler, VelocityVerlet};
 use crate::Real;
 use crate::collisions::Flights;
+use crate::roles::Stepper;
 use crate::stability::{StabilityBound, bound};
 use crate::types::{Full, StepReport};
 use crate::world::{Plan, Storage, View};

@@ -1,7 +1,7 @@
 //! Implicit (backward) Euler, solved.
 
-use super::Stepper;
 use crate::Real;
+use crate::roles::Stepper;
 use crate::solve::{Tolerance, Workspace, newton};
 use crate::types::{Full, StepReport};
 use crate::world::{Plan, Storage, View};

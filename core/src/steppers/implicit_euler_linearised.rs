@@ -1,7 +1,7 @@
 //! Implicit Euler, linearised once a step.
 
-use super::Stepper;
 use crate::Real;
+use crate::roles::Stepper;
 use crate::solve::{Tolerance, Workspace, one_linearisation};
 use crate::types::{Full, StepReport};
 use crate::world::{Plan, Storage, View};

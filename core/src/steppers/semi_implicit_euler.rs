@@ -1,7 +1,7 @@
 //! Semi-implicit (symplectic) Euler.
 
-use super::Stepper;
 use crate::Real;
+use crate::roles::Stepper;
 use crate::types::StepReport;
 use crate::vectors::{advance_columns, lend, read, velocities_from_accelerations};
 use crate::world::View;

@@ -1,7 +1,7 @@
 //! Velocity Verlet with the damping evaluated at a predicted velocity.
 
-use super::Stepper;
 use crate::Real;
+use crate::roles::Stepper;
 use crate::types::{Full, StepReport};
 use crate::vectors::{ColumnsMut, advance_columns, lend, read};
 use crate::world::{Column, Plan, Storage, View};

@@ -4,8 +4,7 @@ use super::clock::Clock;
 use super::layout::Incidence;
 use super::plan::Plan;
 use crate::Real;
-use crate::steppers::Stepper;
-use crate::types::Plane;
+use crate::types::{Plane, StepError};
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read};
 
 /// Positions and velocities by slot.
@@ -183,25 +182,6 @@ impl<R: Real> View<'_, R> {
         }
     }
 
-    /// The particles that no spring pulls at as they will be at a later `time` (s), before the end of the next step,
-    /// if the stepper flies them exactly: number, position (m), velocity (m/s). Otherwise nothing. The current state
-    /// stays as it is.
-    pub fn free_at(
-        &mut self,
-        stepper: &mut impl Stepper<R>,
-        time: f64,
-    ) -> Option<impl Iterator<Item = (u32, R::Vec3, R::Vec3)>> {
-        if !stepper.look_ahead(self, time) {
-            return None;
-        }
-        let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
-        let slots = self.system.plan.attached..self.system.plan.particles;
-        let system = self.system;
-        Some(slots.map(move |slot| {
-            (at(system.particle_at, slot), fetch(position, slot).into(), fetch(velocity, slot).into())
-        }))
-    }
-
     /// The state that a step made becomes the current one, at the time `now`. `answered` tells whether collisions have
     /// changed it since the stepper made it.
     pub(crate) fn commit(&mut self, now: Clock, answered: bool) {
@@ -209,5 +189,19 @@ impl<R: Real> View<'_, R> {
         *self.front ^= 1;
         *self.epoch += 1 + u64::from(answered);
         *self.clock = now;
+    }
+
+    /// Refuses a next state that is not finite, naming the first particle by number.
+    pub(crate) fn refuse_non_finite(&self) -> Result<(), StepError> {
+        let columns = || self.next.position.iter().chain(&self.next.velocity);
+        let finite = columns().all(|column| column.iter().fold(true, |finite, value| finite & value.is_finite()));
+        if finite {
+            return Ok(());
+        }
+        let particles = columns().flat_map(|column| {
+            let slots = (0..).zip(column.iter()).filter(|(_, value)| !value.is_finite());
+            slots.map(|(slot, _)| at(self.system.particle_at, slot))
+        });
+        Err(StepError::NonFinite { particle: particles.min().unwrap_or(0) })
     }
 }

@@ -1,0 +1,85 @@
+//! Who takes part in a step: the stepper advances the state, the response answers collisions, the observer looks on.
+
+use crate::Real;
+use crate::types::{Full, StepError, StepReport};
+use crate::world::{Plan, View};
+
+/// A rule that makes the state a time step later from the state now.
+pub trait Stepper<R: Real> {
+    /// Makes room for a world.
+    ///
+    /// # Errors
+    /// If the workspace has a fixed capacity and the world is larger.
+    fn fit(&mut self, _plan: &Plan) -> Result<(), Full> {
+        Ok(())
+    }
+
+    /// Writes the state `dt` seconds after the current one to the next one. Planes are not its business.
+    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport;
+
+    /// β in the path x + τ v + β τ² a that it takes a particle along that nothing but gravity pulls at.
+    fn curvature(&self) -> R;
+
+    /// Flies the particles that no spring pulls at exactly from the time `from`, at which they are in the current state,
+    /// to the end of the step, and returns the energy lost in impacts, J. Nothing if it does not: they then take the
+    /// path above.
+    fn fly(&mut self, _view: &mut View<'_, R>, _from: f64, _report: &mut StepReport) -> Option<f64> {
+        None
+    }
+
+    /// Writes the particles that [`Stepper::fly`] flies, as they will be at a time within the next step, to the next
+    /// state. False if there is no such flight.
+    fn look_ahead(&mut self, _view: &mut View<'_, R>, _time: f64) -> bool {
+        false
+    }
+}
+
+/// A form of collision response: what happens when a step takes particles through planes.
+pub trait Response<R: Real> {
+    /// Makes room for a world.
+    ///
+    /// # Errors
+    /// If the workspace has a fixed capacity and the world is larger.
+    fn fit(&mut self, _plan: &Plan) -> Result<(), Full> {
+        Ok(())
+    }
+
+    /// Takes a whole step, collisions included, and makes what comes of it the current state.
+    ///
+    /// # Errors
+    /// If that would not be finite; the state is then as it was.
+    fn step(
+        &mut self,
+        view: &mut View<'_, R>,
+        stepper: &mut impl Stepper<R>,
+        dt: R,
+        observer: &mut impl Observer<R>,
+    ) -> Result<StepReport, StepError>;
+}
+
+/// Somebody who follows a world through its steps, part by part. `()` looks away, and costs nothing.
+pub trait Observer<R: Real> {
+    /// Whether anything is done with what it is told.
+    fn watches(&self) -> bool;
+
+    /// The stepper has written the state `dt` seconds after the current one to the next one; collisions have not been
+    /// answered yet.
+    fn advanced(&mut self, view: &mut View<'_, R>, dt: R);
+
+    /// Impacts have taken this energy, J.
+    fn lost_in_impacts(&mut self, energy: f64);
+
+    /// A step begins.
+    fn begins(&mut self) {}
+
+    /// It has failed: whatever it has been told since the step began has not been.
+    fn fails(&mut self) {}
+}
+
+impl<R: Real> Observer<R> for () {
+    fn watches(&self) -> bool {
+        false
+    }
+    fn advanced(&mut self, _view: &mut View<'_, R>, _dt: R) {}
+    fn lost_in_impacts(&mut self, _energy: f64) {}
+}
