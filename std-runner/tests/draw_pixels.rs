@@ -213,3 +213,20 @@ fn single_and_double_precision_look_the_same() {
     let apart = double.data().iter().zip(single.data()).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
     assert!(apart <= 3, "{apart}");
 }
+
+#[test]
+fn six_neighbouring_balls_have_colours_of_their_own() {
+    let mut model = Model::default();
+    for number in 0..6 {
+        model.particles.push(particle([(f64::from(number) - 2.5) * 0.8, 0.0, 0.0], 1.0, Hold::Free));
+    }
+    let position: Vec<[f64; 3]> = model.particles.iter().map(|particle| particle.position).collect();
+    let canvas = draw(&model, &position, &face_on());
+    let middle = |number: u32| canvas.at(SIZE[0] / 2 - 120 + 48 * number, SIZE[1] / 2).unwrap();
+    for one in 0..6 {
+        assert!(difference(middle(one), BACKGROUND) > 24);
+        for other in 0..one {
+            assert!(difference(middle(one), middle(other)) > 24, "{one} and {other}");
+        }
+    }
+}
