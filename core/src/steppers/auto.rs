@@ -140,26 +140,42 @@ impl<R: Real, M: Storage> Stepper<R> for Auto<R, M> {
 
 impl fmt::Display for Choice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let dt = self.time_step;
+        let dt = Seconds(self.time_step);
         let Some(bound) = self.bound else {
             return write!(f, "exact flight: no spring pulls at any free particle");
         };
-        let (verlet, semi_implicit) = (bound.velocity_verlet, bound.semi_implicit_euler);
+        let (verlet, semi_implicit) = (Seconds(bound.velocity_verlet), Seconds(bound.semi_implicit_euler));
         match self.chosen {
             Chosen::Flight => write!(f, "exact flight"),
+            Chosen::VelocityVerlet if bound.velocity_verlet == f64::INFINITY => {
+                write!(f, "velocity-verlet: second order, and the springs limit no time step")
+            }
             Chosen::VelocityVerlet => {
-                write!(f, "velocity-verlet: second order, and stable at {dt:.3e} s, below its bound of {verlet:.3e} s")
+                write!(f, "velocity-verlet: second order, and stable at {dt}, below its bound of {verlet}")
             }
             Chosen::SemiImplicitEuler => write!(
                 f,
-                "semi-implicit-euler: stable at {dt:.3e} s, below its bound of {semi_implicit:.3e} s; \
-                 velocity-verlet's is {verlet:.3e} s"
+                "semi-implicit-euler: stable at {dt}, below its bound of {semi_implicit}; velocity-verlet's is {verlet}"
             ),
             Chosen::ImplicitEuler => write!(
                 f,
-                "implicit-euler: {dt:.3e} s is past the bounds of velocity-verlet ({verlet:.3e} s) and \
-                 semi-implicit-euler ({semi_implicit:.3e} s)"
+                "implicit-euler: {dt} is past the bounds of velocity-verlet ({verlet}) and semi-implicit-euler \
+                 ({semi_implicit})"
             ),
+        }
+    }
+}
+
+/// Shown in a unit that leaves a number to read.
+struct Seconds(f64);
+
+impl fmt::Display for Seconds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            seconds if seconds >= 1.0 => write!(f, "{seconds:.3} s"),
+            seconds if seconds >= 1e-3 => write!(f, "{:.3} ms", 1e3 * seconds),
+            seconds if seconds >= 1e-6 => write!(f, "{:.3} µs", 1e6 * seconds),
+            seconds => write!(f, "{seconds:.3e} s"),
         }
     }
 }
