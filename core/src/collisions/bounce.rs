@@ -1,9 +1,9 @@
 //! One particle between planes: where its path meets them, what a bounce does, and how it comes to rest.
 
-use super::contact::{Support, resting, support, support_by, touching};
+use super::contact::{Support, resting, rounding, support, support_by, touching};
 use crate::Real;
 use crate::types::Plane;
-use crate::vectors::{across, along, dot};
+use crate::vectors::{across, along, dot, size};
 use crate::world::System;
 
 /// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches.
@@ -11,6 +11,10 @@ use crate::world::System;
 /// An elastic particle in a wedge of angle θ bounces at most ⌈π/θ⌉ times between two visits to its depth; with gravity
 /// and losses in a corner there can be infinitely many in a finite time, and only those on a single plane are summed.
 pub const MOST_BOUNCES: u32 = 10_000;
+
+/// Bounces shorter than this, in s, are too short to follow: in a corner there are infinitely many of them, and no
+/// sum for them. At 10 m/s² they rise by 1e-16 m.
+const SHORTEST_BOUNCE: f64 = 1e-8;
 
 /// A particle that nothing but a constant acceleration moves.
 #[derive(Clone, Copy, Debug)]
@@ -158,10 +162,15 @@ impl<'a, R: Real> Path<'a, R> {
         first_contact(gap.at_least(R::ZERO), speed, self.curvature * pull)
     }
 
-    /// The speed of the impact after τ, and the particle there.
+    /// The speed of the impact after τ, and the particle there: on the plane, unless it started beyond it by more than
+    /// its way there may be rounded.
     pub fn impact(&self, flight: &Flight<R>, tau: R, plane: &Plane<R>, a: [R; 3]) -> (R, Flight<R>) {
-        let there = flight.after(tau, a, self.curvature);
+        let mut there = flight.after(tau, a, self.curvature);
         let half = R::from_f64(0.5);
+        let beyond = -plane.gap(flight.position);
+        if tau > R::ZERO && beyond <= touching(plane, flight.position) + rounding(tau * size(flight.velocity)) {
+            there.position = along(there.position, -plane.gap(there.position), plane.normal);
+        }
         if self.curvature == half && tau > R::ZERO {
             // From the energy, not as a difference of velocities.
             let (v, pull) = (dot(plane.normal, flight.velocity), dot(plane.normal, a));
@@ -172,13 +181,14 @@ impl<'a, R: Real> Path<'a, R> {
     }
 
     /// Takes from a particle that is pressed against planes the velocities with which it would rise no further from them,
-    /// or dent them no deeper, than positions are rounded. In a corner there are infinitely many such bounces, and no
-    /// sum for them. Returns the kinetic energy lost, over the mass.
+    /// or dent them no deeper, than positions are rounded, or than gravity takes them in [`SHORTEST_BOUNCE`]. Returns the
+    /// kinetic energy lost, over the mass.
     pub fn calm(&self, flight: &mut Flight<R>) -> f64 {
         let held = support_by(self.planes, self.gravity, |plane| {
             let speed = dot(plane.normal, flight.velocity);
             let press = -dot(plane.normal, self.gravity);
-            let reach = touching(plane, flight.position);
+            let shortest = R::from_f64(SHORTEST_BOUNCE);
+            let reach = touching(plane, flight.position).at_least(press * shortest * shortest);
             plane.gap(flight.position) <= reach
                 && plane.restitution < R::ONE
                 && speed * speed <= R::from_f64(2.0) * press * reach

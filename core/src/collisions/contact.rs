@@ -36,16 +36,22 @@ impl<R: Real> Support<R> {
     }
 }
 
+/// What roundings may leave of a number of this size.
+#[inline]
+pub fn rounding<R: Real>(size: R) -> R {
+    R::from_f64(ROUNDINGS) * R::EPSILON * size
+}
+
 /// The gap (m) up to which a particle counts as touching a plane.
 #[inline]
 pub fn touching<R: Real>(plane: &Plane<R>, position: [R; 3]) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * (size(position) + plane.extent)
+    rounding(size(position) + plane.offset.abs())
 }
 
 /// The normal speed (m/s) up to which a particle counts as neither coming nor going.
 #[inline]
 pub fn resting<R: Real>(velocity: [R; 3]) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * size(velocity)
+    rounding(size(velocity))
 }
 
 /// Whether a particle lies on a plane, or beyond it, without moving away from it or into it.

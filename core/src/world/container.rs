@@ -1,7 +1,7 @@
 //! The world as its user holds it.
 
 use super::clock::Clock;
-use super::layout::{ParticleColumns, SpringColumns, StateColumns};
+use super::layout::{ParticleColumns, SpringColumns};
 use super::plan::Plan;
 use super::prepare::{list_incidences, partition};
 use super::storage::{Column, Fixed, Storage};
@@ -12,7 +12,7 @@ use crate::vectors::{at, fetch, store};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
-/// It takes 14 reals and 12 bytes a particle, 4 reals and 24 bytes a spring, and 6 reals a plane.
+/// It takes 14 reals and 12 bytes a particle, 4 reals and 24 bytes a spring, and 5 reals a plane.
 pub type World<R, const PARTICLES: usize, const SPRINGS: usize, const PLANES: usize> =
     Container<R, Fixed<PARTICLES, SPRINGS, PLANES>>;
 
@@ -268,10 +268,6 @@ impl<R: Real, M: Storage> Container<R, M> {
     fn prepare(&mut self) -> Plan {
         let attached = partition(&mut self.particles, &mut self.springs, self.front);
         list_incidences(&mut self.particles, &mut self.springs);
-        let extent = self.extent();
-        for plane in self.planes.items_mut() {
-            plane.extent = extent;
-        }
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
             attached,
@@ -284,14 +280,6 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.disturb();
         self.plan = Some(plan);
         plan
-    }
-
-    /// The largest coordinate of any particle, or distance of any plane from the origin, m.
-    fn extent(&self) -> R {
-        let positions = self.particles.state.get(self.front).map(StateColumns::position).unwrap_or_default();
-        let coordinates = positions.into_iter().flatten().copied();
-        let offsets = self.planes.items().iter().map(|plane| plane.offset);
-        coordinates.chain(offsets).fold(R::ZERO, |largest, value| largest.at_least(value.abs()))
     }
 
     fn slot(&self, particle: u32) -> Result<u32, SetError> {
