@@ -8,7 +8,7 @@ use super::storage::{Column, Fixed, Storage};
 use super::view::{Springs, State, System, View};
 use crate::Real;
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Spring};
-use crate::vectors::{at, fetch, store};
+use crate::vectors::{at, difference, fetch, read, size, store};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
@@ -164,8 +164,8 @@ impl<R: Real, M: Storage> Container<R, M> {
 
     /// Puts a kinematic particle where it should be (m) with the velocity it should have (m/s).
     ///
-    /// Meant for every step: as long as the velocity stays the same this counts as the same motion, and nothing that
-    /// was worked out for it is worked out anew.
+    /// Meant for every step: as long as the velocity stays the same, and the position is the one that it has led to but
+    /// for its rounding, this counts as the same motion, and nothing that was worked out for it is worked out anew.
     ///
     /// # Errors
     /// If there is no such particle, or either is not finite.
@@ -181,10 +181,10 @@ impl<R: Real, M: Storage> Container<R, M> {
             return Err(SetError::NotFinite);
         }
         let (mut positions, mut velocities) = self.current_mut();
-        let before = fetch(crate::vectors::read(&velocities), slot);
+        let [former_position, former_velocity] = [fetch(read(&positions), slot), fetch(read(&velocities), slot)];
         store(&mut positions, slot, position);
         store(&mut velocities, slot, velocity);
-        if velocity != before {
+        if velocity != former_velocity || displaced(former_position, position) {
             self.disturb();
         }
         Ok(())
@@ -296,6 +296,12 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.epoch += 1;
         self.changes += 1;
     }
+}
+
+/// Whether two positions differ by more than the few roundings of a step.
+fn displaced<R: Real>(before: [R; 3], after: [R; 3]) -> bool {
+    let reach = size(before) + size(after);
+    size(difference(before, after)) > R::from_f64(64.0) * R::EPSILON * reach
 }
 
 fn finite<R: Real>(vector: [R; 3]) -> bool {
