@@ -1,12 +1,13 @@
 //! One particle between planes: where its path meets them, what a bounce does, and how it comes to rest.
 
-use super::contact::{Support, resting, rounding, support, support_by, touching};
+use super::contact::{Support, lies_on, resting, rounding, support, support_by, touching};
 use crate::Real;
 use crate::types::Plane;
 use crate::vectors::{across, along, dot, size};
 use crate::world::System;
 
-/// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches.
+/// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches, and
+/// stays there until the end of it.
 ///
 /// An elastic particle in a wedge of angle θ bounces at most ⌈π/θ⌉ times between two visits to its depth; with gravity
 /// and losses in a corner there can be infinitely many in a finite time, and only those on a single plane are summed.
@@ -50,6 +51,13 @@ impl<R: Real> Flight<R> {
     pub fn after(self, tau: R, acceleration: [R; 3], curvature: R) -> Self {
         let position = along(self.position, tau, along(self.velocity, curvature * tau, acceleration));
         Self { position, velocity: along(self.velocity, tau, acceleration) }
+    }
+
+    /// Takes the roundings since its velocity was `before` from a particle that lay on a plane then, if it still does.
+    pub fn keep_on(&mut self, plane: &Plane<R>, before: [R; 3]) {
+        if dot(plane.normal, self.velocity).abs() <= resting(before) + resting(self.velocity) {
+            self.put_on(plane, R::ZERO);
+        }
     }
 
     /// Gives it this normal velocity, and rounds its position to the plane that it has come to.
@@ -126,10 +134,26 @@ impl<'a, R: Real> Path<'a, R> {
         }
         bounces.capped = bounces.hits == MOST_BOUNCES;
         if bounces.capped {
+            // It stays there for the rest: nobody has looked what it would meet on the way.
             bounces.lost += self.stop(flight);
+        } else {
+            self.coast(flight, rest);
         }
-        *flight = flight.after(rest, self.acceleration(flight), self.curvature);
         bounces
+    }
+
+    /// Flies for a time in which it meets no plane. What slides along planes stays on them: the roundings of millions of
+    /// steps would else take it away, or where its sliding turns round, those of its fastest would look like a motion.
+    fn coast(&self, flight: &mut Flight<R>, duration: R) {
+        let before = *flight;
+        let a = self.acceleration(&before);
+        *flight = before.after(duration, a, self.curvature);
+        for plane in self.planes {
+            let leaves = dot(plane.normal, a) > rounding(size(self.gravity));
+            if !leaves && lies_on(plane, before.position, before.velocity) {
+                flight.keep_on(plane, before.velocity);
+            }
+        }
     }
 
     /// When the first plane is met, which one it is, and its number.
@@ -189,9 +213,12 @@ impl<'a, R: Real> Path<'a, R> {
             let press = -dot(plane.normal, self.gravity);
             let shortest = R::from_f64(SHORTEST_BOUNCE);
             let reach = touching(plane, flight.position).at_least(press * shortest * shortest);
-            plane.gap(flight.position) <= reach
-                && plane.restitution < R::ONE
-                && speed * speed <= R::from_f64(2.0) * press * reach
+            // An elastic one rises for ever by whatever it rises, if positions can tell it at all.
+            let least = (R::EPSILON * size(flight.position)).at_least(press * shortest * shortest);
+            let rise = if plane.restitution < R::ONE { reach } else { least };
+            // In a corner it may be the other planes, not gravity, that press it against this one.
+            let still = speed.abs() <= shortest * size(self.gravity);
+            plane.gap(flight.position) <= reach && (still || speed * speed <= R::from_f64(2.0) * press * rise)
         });
         if held == Support::None {
             return 0.0;

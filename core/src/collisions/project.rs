@@ -3,7 +3,7 @@
 use super::Response;
 use super::reflect::answer;
 use crate::Real;
-use crate::forces::energy::{elastic, gravitational};
+use crate::forces::energy;
 use crate::step::{Observer, finish, refuse_non_finite};
 use crate::steppers::Stepper;
 use crate::types::{StepError, StepReport};
@@ -31,7 +31,7 @@ impl<R: Real> Response<R> for Project {
         observer.advanced(view, dt);
         let watched = observer.watches() && view.system.plan.planes > 0;
         let potential = |view: &View<'_, R>| {
-            if watched { elastic(&view.system, &view.next) + gravitational(&view.system, &view.next) } else { 0.0 }
+            if watched { energy::potential(&view.system, &view.next) } else { 0.0 }
         };
         let before = potential(view);
         let mut answer =
