@@ -16,6 +16,7 @@ pub mod moment;
 pub mod order;
 pub mod problems;
 pub mod random;
+pub mod random_scenes;
 pub mod reference;
 pub mod right_hand_side;
 pub mod root;

@@ -1,16 +1,21 @@
 //! One particle between planes: where its path meets them, what a bounce does, and how it comes to rest.
 
-use super::contact::{Support, resting, support, support_by, touching};
+use super::contact::{Support, lies_on, resting, rounding, support, support_by, touching};
 use crate::Real;
 use crate::types::Plane;
-use crate::vectors::{across, along, dot};
+use crate::vectors::{across, along, dot, size};
 use crate::world::System;
 
-/// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches.
+/// Bounces of one particle that are followed within one stretch of time; past them it is stopped on what it touches, and
+/// stays there until the end of it.
 ///
 /// An elastic particle in a wedge of angle θ bounces at most ⌈π/θ⌉ times between two visits to its depth; with gravity
 /// and losses in a corner there can be infinitely many in a finite time, and only those on a single plane are summed.
 pub const MOST_BOUNCES: u32 = 10_000;
+
+/// Bounces shorter than this, in s, are too short to follow: in a corner there are infinitely many of them, and no
+/// sum for them. At 10 m/s² they rise by 1e-16 m.
+const SHORTEST_BOUNCE: f64 = 1e-8;
 
 /// A particle that nothing but a constant acceleration moves.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +51,13 @@ impl<R: Real> Flight<R> {
     pub fn after(self, tau: R, acceleration: [R; 3], curvature: R) -> Self {
         let position = along(self.position, tau, along(self.velocity, curvature * tau, acceleration));
         Self { position, velocity: along(self.velocity, tau, acceleration) }
+    }
+
+    /// Takes the roundings since its velocity was `before` from a particle that lay on a plane then, if it still does.
+    pub fn keep_on(&mut self, plane: &Plane<R>, before: [R; 3]) {
+        if dot(plane.normal, self.velocity).abs() <= resting(before) + resting(self.velocity) {
+            self.put_on(plane, R::ZERO);
+        }
     }
 
     /// Gives it this normal velocity, and rounds its position to the plane that it has come to.
@@ -122,10 +134,26 @@ impl<'a, R: Real> Path<'a, R> {
         }
         bounces.capped = bounces.hits == MOST_BOUNCES;
         if bounces.capped {
+            // It stays there for the rest: nobody has looked what it would meet on the way.
             bounces.lost += self.stop(flight);
+        } else {
+            self.coast(flight, rest);
         }
-        *flight = flight.after(rest, self.acceleration(flight), self.curvature);
         bounces
+    }
+
+    /// Flies for a time in which it meets no plane. What slides along planes stays on them: the roundings of millions of
+    /// steps would else take it away, or where its sliding turns round, those of its fastest would look like a motion.
+    fn coast(&self, flight: &mut Flight<R>, duration: R) {
+        let before = *flight;
+        let a = self.acceleration(&before);
+        *flight = before.after(duration, a, self.curvature);
+        for plane in self.planes {
+            let leaves = dot(plane.normal, a) > rounding(size(self.gravity));
+            if !leaves && lies_on(plane, before.position, before.velocity) {
+                flight.keep_on(plane, before.velocity);
+            }
+        }
     }
 
     /// When the first plane is met, which one it is, and its number.
@@ -158,10 +186,15 @@ impl<'a, R: Real> Path<'a, R> {
         first_contact(gap.at_least(R::ZERO), speed, self.curvature * pull)
     }
 
-    /// The speed of the impact after τ, and the particle there.
+    /// The speed of the impact after τ, and the particle there: on the plane, unless it started beyond it by more than
+    /// its way there may be rounded.
     pub fn impact(&self, flight: &Flight<R>, tau: R, plane: &Plane<R>, a: [R; 3]) -> (R, Flight<R>) {
-        let there = flight.after(tau, a, self.curvature);
+        let mut there = flight.after(tau, a, self.curvature);
         let half = R::from_f64(0.5);
+        let beyond = -plane.gap(flight.position);
+        if tau > R::ZERO && beyond <= touching(plane, flight.position) + rounding(tau * size(flight.velocity)) {
+            there.position = along(there.position, -plane.gap(there.position), plane.normal);
+        }
         if self.curvature == half && tau > R::ZERO {
             // From the energy, not as a difference of velocities.
             let (v, pull) = (dot(plane.normal, flight.velocity), dot(plane.normal, a));
@@ -172,16 +205,20 @@ impl<'a, R: Real> Path<'a, R> {
     }
 
     /// Takes from a particle that is pressed against planes the velocities with which it would rise no further from them,
-    /// or dent them no deeper, than positions are rounded. In a corner there are infinitely many such bounces, and no
-    /// sum for them. Returns the kinetic energy lost, over the mass.
+    /// or dent them no deeper, than positions are rounded, or than gravity takes them in [`SHORTEST_BOUNCE`]. Returns the
+    /// kinetic energy lost, over the mass.
     pub fn calm(&self, flight: &mut Flight<R>) -> f64 {
         let held = support_by(self.planes, self.gravity, |plane| {
             let speed = dot(plane.normal, flight.velocity);
             let press = -dot(plane.normal, self.gravity);
-            let reach = touching(plane, flight.position);
-            plane.gap(flight.position) <= reach
-                && plane.restitution < R::ONE
-                && speed * speed <= R::from_f64(2.0) * press * reach
+            let shortest = R::from_f64(SHORTEST_BOUNCE);
+            let reach = touching(plane, flight.position).at_least(press * shortest * shortest);
+            // An elastic one rises for ever by whatever it rises, if positions can tell it at all.
+            let least = (R::EPSILON * size(flight.position)).at_least(press * shortest * shortest);
+            let rise = if plane.restitution < R::ONE { reach } else { least };
+            // In a corner it may be the other planes, not gravity, that press it against this one.
+            let still = speed.abs() <= shortest * size(self.gravity);
+            plane.gap(flight.position) <= reach && (still || speed * speed <= R::from_f64(2.0) * press * rise)
         });
         if held == Support::None {
             return 0.0;

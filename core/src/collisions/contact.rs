@@ -36,16 +36,22 @@ impl<R: Real> Support<R> {
     }
 }
 
+/// What roundings may leave of a number of this size.
+#[inline]
+pub fn rounding<R: Real>(size: R) -> R {
+    R::from_f64(ROUNDINGS) * R::EPSILON * size
+}
+
 /// The gap (m) up to which a particle counts as touching a plane.
 #[inline]
 pub fn touching<R: Real>(plane: &Plane<R>, position: [R; 3]) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * (size(position) + plane.extent)
+    rounding(size(position) + plane.offset.abs())
 }
 
 /// The normal speed (m/s) up to which a particle counts as neither coming nor going.
 #[inline]
 pub fn resting<R: Real>(velocity: [R; 3]) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * size(velocity)
+    rounding(size(velocity))
 }
 
 /// Whether a particle lies on a plane, or beyond it, without moving away from it or into it.
@@ -67,7 +73,7 @@ pub fn support_by<R: Real>(planes: &[Plane<R>], a: [R; 3], is_touched: impl Fn(&
     let pressed = |plane: &&Plane<R>| dot(plane.normal, a) < R::ZERO;
     let allowed = |vector: [R; 3], but: [&Plane<R>; 2]| {
         let others = planes.iter().filter(|plane| !but.iter().any(|other| core::ptr::eq(*plane, *other)));
-        others.filter(touched).all(|plane| dot(plane.normal, vector) >= R::ZERO)
+        others.filter(touched).all(|plane| dot(plane.normal, vector) >= -rounding(size(a)))
     };
     let mut presses = planes.iter().filter(pressed).filter(touched);
     let Some(first) = presses.next() else { return Support::None };
@@ -98,7 +104,8 @@ fn push_apart<R: Real>(first: &Plane<R>, second: &Plane<R>, a: [R; 3]) -> bool {
     // a + λ₁ n₁ + λ₂ n₂ has no component along n₁ or n₂.
     let cosine = dot(first.normal, second.normal);
     let (b_1, b_2) = (dot(first.normal, a), dot(second.normal, a));
-    b_1 - cosine * b_2 <= R::ZERO && b_2 - cosine * b_1 <= R::ZERO
+    let nothing = rounding(size(a));
+    b_1 - cosine * b_2 <= nothing && b_2 - cosine * b_1 <= nothing
 }
 
 /// Takes from the accelerations of the particles that springs pull at what planes hold up.

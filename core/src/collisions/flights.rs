@@ -33,6 +33,10 @@ pub struct Flights<R: Real, M: Storage> {
     lost: f64,
     /// The same up to the time last asked for.
     told: f64,
+    /// The latest time asked for, s: events have been passed up to then.
+    latest: f64,
+    /// Bounces on the way there that no step has reported yet, and the particles that had too many.
+    unreported: [u32; 2],
 }
 
 /// Marks the plane on which a particle comes to rest at its next event.
@@ -60,6 +64,8 @@ impl<R: Real, M: Storage> Flights<R, M> {
             belongs: (f64::NAN, 0),
             lost: 0.0,
             told: 0.0,
+            latest: f64::NAN,
+            unreported: [0; 2],
         }
     }
 
@@ -75,32 +81,49 @@ impl<R: Real, M: Storage> Flights<R, M> {
     /// particles in free flight go, is that at the time `from`. Returns the kinetic energy lost on the way.
     pub(crate) fn fly(&mut self, view: &mut View<'_, R>, from: f64, report: &mut StepReport) -> f64 {
         let to = view.end.seconds();
-        if self.belongs != (from, view.changes) {
-            // It is not the state that they came to: all flights begin anew.
-            self.events().begin(view, from);
-            (self.lost, self.told) = (0.0, 0.0);
+        if self.belongs != (from, view.changes) || self.latest > to {
+            // It is not the state that they came to, or they have been followed too far.
+            self.begin(view, from);
         }
         self.belongs = (to, view.changes);
-        let pending = self.write(view, to, report);
+        let pending = self.write(view, to);
+        let [hits, capped] = core::mem::take(&mut self.unreported);
+        report.hits = report.hits.saturating_add(hits);
+        report.capped = report.capped.saturating_add(capped);
         let lost = self.lost + pending - self.told;
         self.told = self.lost + pending;
         lost
     }
 
     /// Writes the states at a `time` before the end of the next step to the view's next state; false where they have
-    /// not been flown to the current one. What has been lost by then is told with that step.
+    /// not been flown to the current one, or it is past. What happens and what is lost by then is told with that step.
+    ///
+    /// Asked for times that go back, or beyond the end of the next step, all flights begin anew from the current state.
     pub(crate) fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
-        let flown = self.belongs == (view.time(), view.changes);
-        if flown {
-            self.write(view, time, &mut StepReport::default());
+        let now = view.time();
+        if self.belongs != (now, view.changes) || !(time >= now && time.is_finite()) {
+            return false;
         }
-        flown
+        if self.latest > time {
+            self.begin(view, now);
+        }
+        self.write(view, time);
+        true
+    }
+
+    /// All flights begin anew from the current state, at the time `now`.
+    fn begin(&mut self, view: &View<'_, R>, now: f64) {
+        self.events().begin(view, now);
+        (self.lost, self.told) = (0.0, 0.0);
+        self.unreported = [0; 2];
     }
 
     /// Writes the states at a time, and returns the energy lost since the last events before it.
-    fn write(&mut self, view: &mut View<'_, R>, time: f64, report: &mut StepReport) -> f64 {
+    fn write(&mut self, view: &mut View<'_, R>, time: f64) -> f64 {
+        self.latest = time;
         let mut lost = 0.0;
         let mut pending = 0.0;
+        let [mut hits, mut capped] = self.unreported;
         let mut events = self.events();
         for index in 0..view.system.plan.free() {
             let slot = view.system.plan.attached + index;
@@ -110,9 +133,10 @@ impl<R: Real, M: Storage> Flights<R, M> {
             let mass = at(view.system.mass, slot).to_f64();
             lost += mass * bounces.lost;
             pending += mass * unfinished;
-            report.hits += bounces.hits;
-            report.capped += u32::from(bounces.capped);
+            hits = hits.saturating_add(bounces.hits);
+            capped = capped.saturating_add(u32::from(bounces.capped));
         }
+        self.unreported = [hits, capped];
         self.lost += lost;
         pending
     }
@@ -166,8 +190,8 @@ impl<R: Real> Events<'_, R> {
                 bounces.capped = true;
                 let mut stopped = self.last(index);
                 bounces.lost += path.stop(&mut stopped);
-                let now = at(self.since, index);
-                self.set(&path, index, stopped, now);
+                // It stays there until then: nobody has looked what it would meet on the way.
+                self.set(&path, index, stopped, time);
                 break;
             }
             self.pass_event(&path, index, &mut bounces);

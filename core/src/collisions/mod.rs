@@ -5,6 +5,7 @@ mod contact;
 mod flights;
 mod project;
 mod reflect;
+mod stop;
 mod time_of_impact;
 
 pub use flights::Flights;

@@ -2,7 +2,7 @@
 
 use super::reflect::{answer, finish};
 use crate::Real;
-use crate::forces::energy::{elastic, gravitational};
+use crate::forces::energy;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{StepError, StepReport};
 use crate::vectors::along;
@@ -29,7 +29,7 @@ impl<R: Real> Response<R> for Project {
         observer.advanced(view, dt);
         let watched = observer.watches() && view.system.plan.planes > 0;
         let potential = |view: &View<'_, R>| {
-            if watched { elastic(&view.system, &view.next) + gravitational(&view.system, &view.next) } else { 0.0 }
+            if watched { energy::potential(&view.system, &view.next) } else { 0.0 }
         };
         let before = potential(view);
         let mut answer =

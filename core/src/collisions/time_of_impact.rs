@@ -2,13 +2,14 @@
 
 use super::Answer;
 use super::bounce::{Flight, Path, first_contact, half_square};
-use super::contact::{lies_on, resting, touching};
+use super::contact::{lies_on, resting, rounding, support, touching};
+use super::stop::stop_all;
 use crate::Real;
 use crate::forces::net_force;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Full, Plane, StepError, StepReport};
-use crate::vectors::{along, at, dot, fetch, read, store};
-use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View};
+use crate::vectors::{along, at, dot, fetch, read, size, store};
+use crate::world::{Clock, Plan, State, StateColumns, Storage, View};
 
 /// Parts that hits may cut one step into. What hits after that is stopped where it is, and reported.
 const MOST_SUBSTEPS: u32 = 64;
@@ -114,14 +115,15 @@ fn step<R: Real>(
     let mut report = StepReport::default();
     let from = view.clock.seconds();
     let mut rest = dt;
-    let mut stopped = Answer::default();
+    let mut stopped = None;
     if view.system.plan.attached > 0 {
         while let Some(hit) = advance_to_hit(view, stepper, rest, &mut report)? {
             report.substeps += 1;
             if report.substeps == MOST_SUBSTEPS {
                 observer.advanced(view, rest);
-                stopped = stop_all(&view.system, &mut view.next);
-                report.capped += stopped.hits;
+                let answer = stop_all(view, observer.watches());
+                report.capped += answer.hits;
+                stopped = Some(answer);
                 break;
             }
             start.save(view);
@@ -140,7 +142,7 @@ fn step<R: Real>(
             view.commit(view.clock.later(hit.tau.to_f64()), true);
             rest -= hit.tau;
         }
-        if stopped.hits == 0 {
+        if stopped.is_none() {
             observer.advanced(view, rest);
         }
     }
@@ -149,9 +151,9 @@ fn step<R: Real>(
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
     view.refuse_non_finite()?;
-    observer.lost_in_impacts(stopped.lost + lost);
+    observer.lost_in_impacts(stopped.map_or(0.0, |answer| answer.lost) + lost);
     report.substeps += 1;
-    view.commit(view.end, stopped.hits > 0);
+    view.commit(view.end, stopped.is_some());
     Ok(report)
 }
 
@@ -172,7 +174,7 @@ fn advance_to_hit<R: Real>(
 /// Takes the roundings of a step from what lay on a plane before it and still does: where its sliding turns round,
 /// those of its fastest would else look like a motion of their own.
 fn keep_lying<R: Real>(view: &mut View<'_, R>) {
-    let View { system, current, next, .. } = view;
+    let View { system, current, next, force_density, .. } = view;
     for plane in system.planes {
         for slot in 0..system.plan.particles {
             let (position, velocity) = (fetch(read(&current.position), slot), fetch(read(&current.velocity), slot));
@@ -181,12 +183,22 @@ fn keep_lying<R: Real>(view: &mut View<'_, R>) {
             }
             let mut after =
                 Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
-            let rounding = resting(velocity) + resting(after.velocity);
-            if dot(plane.normal, after.velocity).abs() <= rounding {
-                after.put_on(plane, R::ZERO);
-                store(&mut next.position, slot, after.position);
-                store(&mut next.velocity, slot, after.velocity);
+            let pull = net_force(read(&next.position), force_density, slot, system.springs.of_slot(slot));
+            let a = along(system.gravity, at(system.inverse_mass, slot), pull);
+            if dot(plane.normal, support(system.planes, position, velocity, a).allow(a)) > rounding(size(a)) {
+                // It is on its way off the plane, however slowly.
+                continue;
             }
+            if plane.gap(after.position) < -touching(plane, after.position) {
+                // It began to be pressed against it within the step, while an implicit stepper held up only what was at the
+                // start.
+                after.position = along(after.position, -plane.gap(after.position), plane.normal);
+                after.velocity =
+                    along(after.velocity, (-dot(plane.normal, after.velocity)).at_least(R::ZERO), plane.normal);
+            }
+            after.keep_on(plane, velocity);
+            store(&mut next.position, slot, after.position);
+            store(&mut next.velocity, slot, after.velocity);
         }
     }
 }
@@ -231,24 +243,29 @@ fn time_to<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3], after:
 /// Answers a hit that the next state is at, and every other that it is at too.
 fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
     let mut answer = Answer::default();
-    let View { system, next, force_density, .. } = view;
+    let View { system, current, next, force_density, .. } = view;
     let mut respond = |next: &mut State<'_, R>, plane: &Plane<R>, slot: u32, located: bool| {
         let mut flight =
             Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
         let speed = -dot(plane.normal, flight.velocity);
+        let comes = speed > resting(flight.velocity);
         let near = plane.gap(flight.position) <= R::from_f64(4.0) * touching(plane, flight.position);
-        if !(located || near) || speed <= resting(flight.velocity) || !system.is_dynamic(slot) {
+        if !(located || near && comes) || !system.is_dynamic(slot) {
             return false;
         }
         let pull = net_force(read(&next.position), force_density, slot, system.springs.of_slot(slot));
         let pressed = -dot(plane.normal, along(system.gravity, at(system.inverse_mass, slot), pull));
-        let mut away = plane.restitution * speed;
-        let (two, losing) = (R::from_f64(2.0), R::ONE - plane.restitution);
-        if losing > R::ZERO && pressed > R::ZERO && two * away <= dt * pressed * losing {
+        // On the path of an implicit stepper what has come to the plane may have turned round already, by the same force
+        // that would press it against the plane again and again: then only the next bounce counts, not all to come.
+        let (mut away, losing) =
+            if comes { (plane.restitution * speed, R::ONE - plane.restitution) } else { (-speed, R::ONE) };
+        if losing > R::ZERO && pressed > R::ZERO && R::from_f64(2.0) * away <= dt * pressed * losing {
             // All the bounces to come would end within a step: it comes to rest.
             away = R::ZERO;
         }
-        if located && hit.tau > R::ZERO {
+        let before = fetch(read(&current.position), slot);
+        if hit.tau > R::ZERO && plane.gap(before) >= -touching(plane, before) {
+            // It has come to the plane since, and by the parabola's error beyond it.
             flight.position = along(flight.position, -plane.gap(flight.position), plane.normal);
         }
         flight.put_on(plane, away);
@@ -273,24 +290,6 @@ fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
     answer
 }
 
-/// Takes from every particle the velocity with which it goes further into a plane.
-fn stop_all<R: Real>(system: &System<'_, R>, state: &mut State<'_, R>) -> Answer {
-    let mut answer = Answer::default();
-    for plane in system.planes {
-        for slot in 0..system.plan.attached {
-            let velocity = fetch(read(&state.velocity), slot);
-            let speed = dot(plane.normal, velocity);
-            let beyond = plane.gap(fetch(read(&state.position), slot)) < R::ZERO;
-            if beyond && speed < R::ZERO && system.is_dynamic(slot) {
-                store(&mut state.velocity, slot, along(velocity, -speed, plane.normal));
-                answer.hits += 1;
-                answer.lost += at(system.mass, slot).to_f64() * half_square(speed);
-            }
-        }
-    }
-    answer
-}
-
 /// Flies the particles without springs through a whole step, along the stepper's path. Returns the energy lost, J.
 fn fly_along<R: Real>(view: &mut View<'_, R>, curvature: R, dt: R, report: &mut StepReport) -> f64 {
     let View { system, current, next, .. } = view;
@@ -301,8 +300,8 @@ fn fly_along<R: Real>(view: &mut View<'_, R>, curvature: R, dt: R, report: &mut 
         let bounces = Path::of(system, slot, curvature).fly(&mut flight, dt);
         store(&mut next.position, slot, flight.position);
         store(&mut next.velocity, slot, flight.velocity);
-        report.hits += bounces.hits;
-        report.capped += u32::from(bounces.capped);
+        report.hits = report.hits.saturating_add(bounces.hits);
+        report.capped = report.capped.saturating_add(u32::from(bounces.capped));
         lost += at(system.mass, slot).to_f64() * bounces.lost;
     }
     lost

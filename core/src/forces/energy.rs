@@ -39,6 +39,11 @@ pub fn elastic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
     })
 }
 
+/// Elastic and gravitational, J.
+pub fn potential<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
+    elastic(system, state) + gravitational(system, state)
+}
+
 /// The power that damping takes: Σ k_d l̇², W.
 pub fn damping_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
     if system.plan.damped == Coverage::None {

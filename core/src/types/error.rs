@@ -50,7 +50,7 @@ pub enum AddPlaneError<R> {
     Full(Plane<R>),
     /// The normal is 0, infinite or NaN.
     Normal,
-    /// The point is infinite or NaN.
+    /// The point is infinite or NaN, or too far away for its distance from the origin to be finite.
     Point,
     /// The restitution is outside 0…1.
     Restitution(R),

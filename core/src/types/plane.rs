@@ -14,16 +14,13 @@ pub struct Plane<R> {
     pub(crate) normal: [R; 3],
     pub(crate) offset: R,
     pub(crate) restitution: R,
-    /// The largest coordinate in the world that it is part of, m: positions near it come of such numbers, and are
-    /// rounded like them however small they are themselves.
-    pub(crate) extent: R,
 }
 
 impl<R: Real> Plane<R> {
     /// The plane through `point` (m) across `normal`, which need not have length 1, with restitution e from 0 to 1.
     ///
     /// # Errors
-    /// If the normal is 0 or not finite, the point not finite, or the restitution outside 0…1.
+    /// If the normal is 0 or not finite, the point or its distance from the origin not finite, or the restitution outside 0…1.
     pub fn through(
         point: impl Into<R::Vec3>,
         normal: impl Into<R::Vec3>,
@@ -45,7 +42,10 @@ impl<R: Real> Plane<R> {
         let direction = normal.map(|component| component / largest);
         let unit = scaled(R::ONE / dot(direction, direction).sqrt(), direction);
         let offset = dot(unit, point);
-        Ok(Self { normal: unit, offset, restitution, extent: offset.abs() })
+        if !offset.is_finite() {
+            return Err(AddPlaneError::Point);
+        }
+        Ok(Self { normal: unit, offset, restitution })
     }
 
     /// n, of length 1.

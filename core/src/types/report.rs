@@ -17,7 +17,8 @@ pub struct StepReport {
     pub hits: u32,
     /// The parts that hits cut the step into: 1 without any.
     pub substeps: u32,
-    /// Particles whose hits were too many to follow one by one: they were stopped on the planes they touch.
+    /// Particles whose hits were too many to follow one by one: they were stopped on the planes they touch,
+    /// until the end of the step.
     pub capped: u32,
     /// Springs of length 0, which have no direction and so exerted no force, in the last evaluation.
     pub degenerate_springs: u32,
@@ -43,13 +44,13 @@ impl StepReport {
     /// Adds what happened in a later part of the same step.
     pub fn add(&mut self, later: &Self) {
         self.converged &= later.converged;
-        self.iterations += later.iterations;
-        self.linear_iterations += later.linear_iterations;
+        self.iterations = self.iterations.saturating_add(later.iterations);
+        self.linear_iterations = self.linear_iterations.saturating_add(later.linear_iterations);
         self.residual = if later.residual > self.residual { later.residual } else { self.residual };
-        self.force_evaluations += later.force_evaluations;
-        self.hits += later.hits;
-        self.substeps += later.substeps;
-        self.capped += later.capped;
+        self.force_evaluations = self.force_evaluations.saturating_add(later.force_evaluations);
+        self.hits = self.hits.saturating_add(later.hits);
+        self.substeps = self.substeps.saturating_add(later.substeps);
+        self.capped = self.capped.saturating_add(later.capped);
         self.degenerate_springs = later.degenerate_springs;
     }
 }

@@ -1,18 +1,18 @@
 //! The world as its user holds it.
 
 use super::clock::Clock;
-use super::layout::{ParticleColumns, SpringColumns, StateColumns};
+use super::layout::{ParticleColumns, SpringColumns};
 use super::plan::Plan;
 use super::prepare::{list_incidences, partition};
 use super::storage::{Column, Fixed, Storage};
 use super::view::{Springs, State, System, View};
 use crate::Real;
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Spring};
-use crate::vectors::{at, fetch, store};
+use crate::vectors::{at, difference, fetch, read, size, store};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
-/// It takes 14 reals and 12 bytes a particle, 4 reals and 24 bytes a spring, and 6 reals a plane.
+/// It takes 14 reals and 12 bytes a particle, 4 reals and 24 bytes a spring, and 5 reals a plane.
 pub type World<R, const PARTICLES: usize, const SPRINGS: usize, const PLANES: usize> =
     Container<R, Fixed<PARTICLES, SPRINGS, PLANES>>;
 
@@ -164,8 +164,8 @@ impl<R: Real, M: Storage> Container<R, M> {
 
     /// Puts a kinematic particle where it should be (m) with the velocity it should have (m/s).
     ///
-    /// Meant for every step: as long as the velocity stays the same this counts as the same motion, and nothing that
-    /// was worked out for it is worked out anew.
+    /// Meant for every step: as long as the velocity stays the same, and the position is the one that it has led to but
+    /// for its rounding, this counts as the same motion, and nothing that was worked out for it is worked out anew.
     ///
     /// # Errors
     /// If there is no such particle, or either is not finite.
@@ -181,10 +181,10 @@ impl<R: Real, M: Storage> Container<R, M> {
             return Err(SetError::NotFinite);
         }
         let (mut positions, mut velocities) = self.current_mut();
-        let before = fetch(crate::vectors::read(&velocities), slot);
+        let [former_position, former_velocity] = [fetch(read(&positions), slot), fetch(read(&velocities), slot)];
         store(&mut positions, slot, position);
         store(&mut velocities, slot, velocity);
-        if velocity != before {
+        if velocity != former_velocity || displaced(former_position, position) {
             self.disturb();
         }
         Ok(())
@@ -268,10 +268,6 @@ impl<R: Real, M: Storage> Container<R, M> {
     fn prepare(&mut self) -> Plan {
         let attached = partition(&mut self.particles, &mut self.springs, self.front);
         list_incidences(&mut self.particles, &mut self.springs);
-        let extent = self.extent();
-        for plane in self.planes.items_mut() {
-            plane.extent = extent;
-        }
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
             attached,
@@ -284,14 +280,6 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.disturb();
         self.plan = Some(plan);
         plan
-    }
-
-    /// The largest coordinate of any particle, or distance of any plane from the origin, m.
-    fn extent(&self) -> R {
-        let positions = self.particles.state.get(self.front).map(StateColumns::position).unwrap_or_default();
-        let coordinates = positions.into_iter().flatten().copied();
-        let offsets = self.planes.items().iter().map(|plane| plane.offset);
-        coordinates.chain(offsets).fold(R::ZERO, |largest, value| largest.at_least(value.abs()))
     }
 
     fn slot(&self, particle: u32) -> Result<u32, SetError> {
@@ -308,6 +296,12 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.epoch += 1;
         self.changes += 1;
     }
+}
+
+/// Whether two positions differ by more than the few roundings of a step.
+fn displaced<R: Real>(before: [R; 3], after: [R; 3]) -> bool {
+    let reach = size(before) + size(after);
+    size(difference(before, after)) > R::from_f64(64.0) * R::EPSILON * reach
 }
 
 fn finite<R: Real>(vector: [R; 3]) -> bool {
