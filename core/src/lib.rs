@@ -28,7 +28,7 @@
 //! # How it is built
 //!
 //! Imports point one way:
-//! `real ← types ← world ← roles ← forces ← solve, collisions ← steppers ← step`.
+//! `real ← types ← world ← roles, contact ← forces ← solve, collisions ← steppers ← step`.
 //!
 //! - [`Real`] is `f32` or `f64`; nothing else in here knows which.
 //! - A [`Container`] holds columns, one a quantity (`world/layout.rs` lists them with their bytes), in whatever its
@@ -51,6 +51,7 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod collisions;
+mod contact;
 mod forces;
 mod ledger;
 mod real;

@@ -1,7 +1,6 @@
 //! Collisions with planes, in three named forms, and flight from plane to plane.
 
 mod bounce;
-mod contact;
 mod flights;
 mod project;
 mod reflect;
@@ -13,5 +12,4 @@ pub use project::Project;
 pub use reflect::Reflect;
 pub use time_of_impact::TimeOfImpact;
 
-pub(crate) use contact::{Support, hold_up, support};
 pub(crate) use reflect::Answer;

@@ -1,9 +1,9 @@
 //! The end of a step that hits have cut too often: what would go on is stopped on the planes it has come to.
 
 use super::bounce::half_square;
-use super::contact::{resting, touching};
 use super::reflect::Answer;
 use crate::Real;
+use crate::contact::{resting, touching};
 use crate::forces::energy::potential;
 use crate::vectors::{along, at, dot, fetch, read, store};
 use crate::world::View;

@@ -2,9 +2,9 @@
 
 use super::Answer;
 use super::bounce::{Flight, Path, first_contact, half_square};
-use super::contact::{lies_on, resting, rounding, support, touching};
 use super::stop::stop_all;
 use crate::Real;
+use crate::contact::{lies_on, resting, rounding, support, touching};
 use crate::forces::net_force;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Full, Plane, StepError, StepReport};

@@ -5,7 +5,7 @@ mod densities;
 pub(crate) mod energy;
 
 use crate::Real;
-use crate::collisions::hold_up;
+use crate::contact::hold_up;
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut, lend};
 use crate::world::{Coverage, System};

@@ -5,7 +5,7 @@ use super::linearised::{Keep, Linearisation};
 use super::residual::{Measured, residual};
 use super::workspace::Scratch;
 use crate::Real;
-use crate::collisions::support;
+use crate::contact::support;
 use crate::sums::sum;
 use crate::types::StepReport;
 use crate::vectors::{advance_columns, along, at, copy_columns, dot, fetch, lend, put, read, scaled, store};

@@ -1,7 +1,7 @@
 //! The room that an implicit solve needs, owned by the steppers that do it.
 
 use crate::Real;
-use crate::collisions::Support;
+use crate::contact::Support;
 use crate::types::Full;
 use crate::vectors::ColumnsMut;
 use crate::world::{Column, Plan, Storage};
