@@ -8,7 +8,8 @@ use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_tests::runs::Run;
 use hooke_tests::{digest, scenes};
 
-/// In the order of `StepperName::ALL`. `auto` is Verlet here: nothing is too stiff for it, and hits are not located.
+/// In the order of `StepperName::ALL`, hits answered at the end of the step. `auto` is Verlet here: nothing is too stiff
+/// for it, and hits are not located.
 const SINGLE: [u64; 6] = [
     0x6380_62b4_4269_d632,
     0x6e26_8a5a_67b6_57a6,
@@ -26,21 +27,48 @@ const DOUBLE: [u64; 6] = [
     0xa837_b33d_6287_876c,
 ];
 
+/// Likewise, hits located inside the step: `auto` then flies exactly what no spring pulls at.
+const SINGLE_LOCATED: [u64; 6] = [
+    0xdc3d_c3e1_a5d1_de30,
+    0xaa13_ca91_af42_862a,
+    0x57ba_3263_9110_d9a8,
+    0xa82e_94ef_b56d_3abd,
+    0xc3eb_d209_b581_cf7d,
+    0xbf04_f081_8254_58fc,
+];
+const DOUBLE_LOCATED: [u64; 6] = [
+    0x5155_c1b4_9f54_bbc7,
+    0x7c52_78ca_b9a7_71d6,
+    0xc757_47ff_0935_de5f,
+    0x3518_1d22_e429_5b95,
+    0xded1_ddc3_da22_e1aa,
+    0xb13c_8ec4_432f_2ea1,
+];
+
 #[test]
 fn in_single_precision() {
-    compare::<f32>(SINGLE);
+    compare::<f32>(CollisionForm::Project, SINGLE);
 }
 
 #[test]
 fn in_double_precision() {
-    compare::<f64>(DOUBLE);
+    compare::<f64>(CollisionForm::Project, DOUBLE);
 }
 
-fn compare<R: Real>(expected: [u64; 6]) {
+#[test]
+fn in_single_precision_with_located_hits() {
+    compare::<f32>(CollisionForm::TimeOfImpact, SINGLE_LOCATED);
+}
+
+#[test]
+fn in_double_precision_with_located_hits() {
+    compare::<f64>(CollisionForm::TimeOfImpact, DOUBLE_LOCATED);
+}
+
+fn compare<R: Real>(form: CollisionForm, expected: [u64; 6]) {
     let (model, settings) = scenes::load("golden");
     let digests = StepperName::ALL.iter().map(|&stepper| {
-        let mut run =
-            Run::<R>::new(&model, settings.gravity, stepper, CollisionForm::Project).with_tolerance(stepper, 1e-5);
+        let mut run = Run::<R>::new(&model, settings.gravity, stepper, form).with_tolerance(stepper, 1e-5);
         let report = run.steps(200, 2e-3);
         assert!(report.hits > 20 && report.converged, "{stepper}: {report:?}");
         digest::of(&run.world.view())

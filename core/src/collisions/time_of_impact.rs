@@ -171,8 +171,8 @@ fn advance_to_hit<R: Real>(
     Ok(first_hit(&attached, rest))
 }
 
-/// Takes the roundings of a step from what lay on a plane before it and still does: where its sliding turns round,
-/// those of its fastest would else look like a motion of their own.
+/// Keeps what lay on a plane before a step, and is not pulled off it, on that plane. The roundings of the step are taken
+/// from it: where its sliding turns round, those of its fastest would else look like a motion of their own.
 fn keep_lying<R: Real>(view: &mut View<'_, R>) {
     let View { system, current, next, force_density, .. } = view;
     for plane in system.planes {
