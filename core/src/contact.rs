@@ -1,5 +1,7 @@
 //! Rest on planes: which of them hold a particle up, and what they leave of its acceleration.
 
+use core::ops::Range;
+
 use crate::Real;
 use crate::types::Plane;
 use crate::vectors::{Columns, ColumnsMut, across, at, cross, dot, fetch, read, scaled, size, store};
@@ -108,9 +110,10 @@ fn push_apart<R: Real>(first: &Plane<R>, second: &Plane<R>, a: [R; 3]) -> bool {
     b_1 - cosine * b_2 <= nothing && b_2 - cosine * b_1 <= nothing
 }
 
-/// Takes from the accelerations of the particles that springs pull at what planes hold up.
+/// Takes from the accelerations of the particles in these slots what planes hold up.
 pub fn hold_up<R: Real>(
     system: &System<'_, R>,
+    slots: Range<u32>,
     position: Columns<'_, R>,
     velocity: Columns<'_, R>,
     mut accelerations: ColumnsMut<'_, R>,
@@ -118,14 +121,14 @@ pub fn hold_up<R: Real>(
     if system.planes.is_empty() {
         return;
     }
-    for slot in 0..system.plan.attached {
+    for (index, slot) in (0..).zip(slots) {
         if at(system.inverse_mass, slot) == R::ZERO {
             continue;
         }
-        let a = fetch(read(&accelerations), slot);
+        let a = fetch(read(&accelerations), index);
         let supported = support(system.planes, fetch(position, slot), fetch(velocity, slot), a);
         if supported != Support::None {
-            store(&mut accelerations, slot, supported.allow(a));
+            store(&mut accelerations, index, supported.allow(a));
         }
     }
 }

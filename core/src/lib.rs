@@ -53,6 +53,7 @@
 mod collisions;
 mod contact;
 mod forces;
+mod lanes;
 mod ledger;
 mod real;
 mod roles;
@@ -66,6 +67,7 @@ mod vectors;
 mod world;
 
 pub use collisions::{Project, Reflect, TimeOfImpact};
+pub use lanes::Lanes;
 pub use ledger::{Balance, Ledger};
 pub use real::Real;
 pub use roles::{Observer, Response, Stepper};

@@ -103,7 +103,7 @@ fn blocks<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, inci
         add(&mut blocks.stiffness, both * stiffness, axis, across);
         add(&mut blocks.damping, both * damping, axis, 0.0);
         if both * stiffness > blocks.stiffest.0 {
-            blocks.stiffest = (both * stiffness, spring);
+            blocks.stiffest = (both * stiffness, at(springs.number, spring));
         }
         if stiffness > 0.0 {
             blocks.relaxation = blocks.relaxation.min(damping / stiffness);

@@ -87,6 +87,7 @@ impl<R: Real> View<'_, R> {
         stepper.fit(&self.system.plan)?;
         response.fit(&self.system.plan)?;
         self.end = end;
+        self.is_next_finite = false;
         observer.begins();
         let stepped = response.step(self, stepper, dt, observer);
         if stepped.is_err() {

@@ -3,6 +3,8 @@
 //! Nothing here can fail: a read past the end gives 0 and a write past the end does nothing. Preparation makes sure
 //! that neither happens.
 
+use core::ops::Range;
+
 use crate::Real;
 
 /// Three columns, read: x, y, z of each particle.
@@ -131,12 +133,26 @@ pub fn copy_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>) {
     }
 }
 
-/// Accelerations a turned into the velocities v + dt a, in place.
-#[inline]
-pub fn velocities_from_accelerations<R: Real>(accelerations: ColumnsMut<'_, R>, v: Columns<'_, R>, dt: R) {
-    for (a, v) in accelerations.into_iter().zip(v) {
-        for (a, v) in a.iter_mut().zip(v) {
-            *a = *v + dt * *a;
-        }
-    }
+/// The same stretch of several columns; nothing of those that it does not lie in.
+#[inline(always)]
+pub fn window<const COLUMNS: usize, T>(columns: [&[T]; COLUMNS], range: Range<u32>) -> [&[T]; COLUMNS] {
+    columns.map(|column| column.get(range.start as usize..range.end as usize).unwrap_or_default())
+}
+
+/// The same stretch of several written columns; nothing of those that it does not lie in.
+#[inline(always)]
+pub fn window_mut<const COLUMNS: usize, T>(columns: [&mut [T]; COLUMNS], range: Range<u32>) -> [&mut [T]; COLUMNS] {
+    columns.map(|column| column.get_mut(range.start as usize..range.end as usize).unwrap_or_default())
+}
+
+/// The vectors of three columns.
+#[inline(always)]
+pub fn triples<'a, R: Real>([x, y, z]: Columns<'a, R>) -> impl Iterator<Item = [R; 3]> + 'a {
+    x.iter().zip(y).zip(z).map(|((x, y), z)| [*x, *y, *z])
+}
+
+/// The vectors of three written columns.
+#[inline(always)]
+pub fn triples_mut<'a, R: Real>([x, y, z]: ColumnsMut<'a, R>) -> impl Iterator<Item = [&'a mut R; 3]> {
+    x.iter_mut().zip(y).zip(z).map(|((x, y), z)| [x, y, z])
 }

@@ -5,7 +5,7 @@ use super::bounce::{Flight, Path, first_contact, half_square};
 use super::stop::stop_all;
 use crate::Real;
 use crate::contact::{lies_on, resting, rounding, support, touching};
-use crate::forces::net_force;
+use crate::forces::pull;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Full, Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, size, store};
@@ -174,7 +174,7 @@ fn advance_to_hit<R: Real>(
 /// Keeps what lay on a plane before a step, and is not pulled off it, on that plane. The roundings of the step are taken
 /// from it: where its sliding turns round, those of its fastest would else look like a motion of their own.
 fn keep_lying<R: Real>(view: &mut View<'_, R>) {
-    let View { system, current, next, force_density, .. } = view;
+    let View { system, current, next, .. } = view;
     for plane in system.planes {
         for slot in 0..system.plan.particles {
             let (position, velocity) = (fetch(read(&current.position), slot), fetch(read(&current.velocity), slot));
@@ -183,7 +183,7 @@ fn keep_lying<R: Real>(view: &mut View<'_, R>) {
             }
             let mut after =
                 Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
-            let pull = net_force(read(&next.position), force_density, slot, system.springs.of_slot(slot));
+            let pull = pull(system, read(&next.position), read(&next.velocity), slot);
             let a = along(system.gravity, at(system.inverse_mass, slot), pull);
             if dot(plane.normal, support(system.planes, position, velocity, a).allow(a)) > rounding(size(a)) {
                 // It is on its way off the plane, however slowly.
@@ -243,7 +243,7 @@ fn time_to<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3], after:
 /// Answers a hit that the next state is at, and every other that it is at too.
 fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
     let mut answer = Answer::default();
-    let View { system, current, next, force_density, .. } = view;
+    let View { system, current, next, .. } = view;
     let mut respond = |next: &mut State<'_, R>, plane: &Plane<R>, slot: u32, located: bool| {
         let mut flight =
             Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
@@ -253,7 +253,7 @@ fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
         if !(located || near && comes) || !system.is_dynamic(slot) {
             return false;
         }
-        let pull = net_force(read(&next.position), force_density, slot, system.springs.of_slot(slot));
+        let pull = pull(system, read(&next.position), read(&next.velocity), slot);
         let pressed = -dot(plane.normal, along(system.gravity, at(system.inverse_mass, slot), pull));
         // On the path of an implicit stepper what has come to the plane may have turned round already, by the same force
         // that would press it against the plane again and again: then only the next bounce counts, not all to come.

@@ -1,16 +1,24 @@
-//! Forces, in two passes without a write conflict: first one scalar a spring, then one sum a particle.
+//! Forces. One pass over tiles of particles: each spring's force is worked out once, subtracted at its upper end and
+//! added at its lower one, in an order (`world/order.rs`) that no width of vectors and no tile changes.
 
-mod accelerations;
 mod densities;
+mod diagonal;
 pub(crate) mod energy;
+mod law;
+mod net;
+mod scattered;
+mod tiles;
 
 use crate::Real;
-use crate::contact::hold_up;
+use crate::lanes;
 use crate::types::StepReport;
-use crate::vectors::{Columns, ColumnsMut, lend};
+use crate::vectors::{Columns, ColumnsMut};
 use crate::world::{Coverage, System};
 
-pub(crate) use accelerations::net_force;
+pub(crate) use net::{net_force, pull};
+pub(crate) use tiles::Then;
+
+use tiles::{Accelerations, Keep};
 
 impl<R: Real> System<'_, R> {
     /// a(x, v) of every particle, m/s²: gravity plus the spring forces over the mass; 0 where pinned or kinematic.
@@ -18,19 +26,26 @@ impl<R: Real> System<'_, R> {
         &self,
         position: Columns<'_, R>,
         velocity: Columns<'_, R>,
-        force_density: &mut [R],
-        mut out: ColumnsMut<'_, R>,
+        out: ColumnsMut<'_, R>,
         report: &mut StepReport,
     ) {
-        accelerations::set_gravity(self, lend(&mut out));
+        self.accelerations_then(position, velocity, out, report, &mut Keep);
+    }
+
+    /// The same, and what follows for each tile of particles while it is at hand.
+    pub(crate) fn accelerations_then(
+        &self,
+        position: Columns<'_, R>,
+        velocity: Columns<'_, R>,
+        mut out: ColumnsMut<'_, R>,
+        report: &mut StepReport,
+        then: &mut impl Then<R>,
+    ) {
         if self.plan.springs > 0 {
             report.force_evaluations += 1;
-            report.degenerate_springs = self.force_densities(position, velocity, force_density);
-            accelerations::add_springs(self, position, force_density, lend(&mut out));
         }
-        if self.support {
-            hold_up(self, position, velocity, out);
-        }
+        report.degenerate_springs =
+            lanes::run(self.lanes, Accelerations { system: self, position, velocity, out: &mut out, then });
     }
 
     /// The force densities of all springs (N/m), reading no velocities where nothing is damped. Returns how many

@@ -111,6 +111,7 @@ pub fn one_linearisation<R: Real>(
     let mut report = StepReport { iterations: 1, ..StepReport::default() };
     start(view, dt, scratch, &mut report);
     let count = view.system.plan.attached;
+    view.system.force_densities(read(&view.current.position), read(&view.current.velocity), view.force_density);
     // The matrix holds dt²·K alone at first, so that its product with v is the right-hand side's.
     linearise(view, dt, scratch, Keep::Stiffness);
     let mut size = 0.0;
@@ -142,11 +143,11 @@ pub fn one_linearisation<R: Real>(
 /// Starts from the velocities now; a particle without springs is at its solution v + dt·g at once. Leaves the
 /// accelerations now in the direction, and what planes hold up in the supports.
 fn start<R: Real>(view: &mut View<'_, R>, dt: R, scratch: &mut Scratch<'_, R>, report: &mut StepReport) {
-    let View { system, current, next, force_density, .. } = view;
+    let View { system, current, next, .. } = view;
     let (x, v) = (read(&current.position), read(&current.velocity));
     // What planes hold up is decided by what presses, before they push back.
     let unsupported = System { support: false, ..*system };
-    unsupported.accelerations(x, v, force_density, lend(&mut next.velocity), report);
+    unsupported.accelerations(x, v, lend(&mut next.velocity), report);
     for slot in 0..system.plan.particles {
         let (velocity, a) = (fetch(v, slot), fetch(read(&next.velocity), slot));
         if slot >= system.plan.attached {

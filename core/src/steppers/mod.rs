@@ -1,6 +1,7 @@
 //! Steppers, one a file: they differ only where the mathematics does, and each owns what it needs to remember.
 
 mod auto;
+mod euler;
 mod explicit_euler;
 mod implicit_euler;
 mod implicit_euler_linearised;

@@ -54,7 +54,7 @@ impl<R: Real, M: Storage> Stepper<R> for VelocityVerlet<R, M> {
         let (mut acceleration, next_acceleration) = if self.front == 0 { (first, second) } else { (second, first) };
         if *epoch != *view.epoch {
             let (x, v) = (read(&view.current.position), read(&view.current.velocity));
-            view.system.accelerations(x, v, view.force_density, lend(&mut acceleration), &mut report);
+            view.system.accelerations(x, v, lend(&mut acceleration), &mut report);
             *epoch = *view.epoch;
         }
         advance(view, dt, &acceleration, next_acceleration, &mut report);
@@ -74,7 +74,7 @@ fn advance<R: Real>(
     mut next_acceleration: ColumnsMut<'_, R>,
     report: &mut StepReport,
 ) {
-    let View { system, current, next, force_density, .. } = view;
+    let View { system, current, next, .. } = view;
     let (x, v) = (read(&current.position), read(&current.velocity));
     let a = read(acceleration);
     let half = R::from_f64(0.5) * dt;
@@ -86,7 +86,7 @@ fn advance<R: Real>(
     }
     advance_columns(lend(&mut next.velocity), v, dt, a);
     let predicted = read(&next.velocity);
-    system.accelerations(read(&next.position), predicted, force_density, lend(&mut next_acceleration), report);
+    system.accelerations(read(&next.position), predicted, lend(&mut next_acceleration), report);
     let columns = lend(&mut next.velocity).into_iter().zip(v);
     for ((out, v), (a, next_a)) in columns.zip(a.into_iter().zip(read(&next_acceleration))) {
         for ((out, v), (a, next_a)) in out.iter_mut().zip(v).zip(a.iter().zip(next_a)) {

@@ -3,10 +3,13 @@
 use super::clock::Clock;
 use super::layout::{ParticleColumns, SpringColumns};
 use super::plan::Plan;
+use super::order::order;
+use super::pieces::{Found, Ordered};
 use super::prepare::{list_incidences, partition};
 use super::storage::{Column, Fixed, Storage};
 use super::view::{Springs, State, System, View};
 use crate::Real;
+use crate::lanes::Lanes;
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Spring};
 use crate::vectors::{at, difference, fetch, read, size, store};
 
@@ -27,6 +30,7 @@ pub struct Container<R: Real, M: Storage> {
     epoch: u64,
     changes: u64,
     plan: Option<Plan>,
+    lanes: Lanes,
 }
 
 impl<R: Real, M: Storage> Default for Container<R, M> {
@@ -49,6 +53,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             epoch: 0,
             changes: 0,
             plan: None,
+            lanes: Lanes::Avx512,
         }
     }
 
@@ -208,6 +213,11 @@ impl<R: Real, M: Storage> Container<R, M> {
         Ok(())
     }
 
+    /// Steps with no wider vector instructions than these, to compare: the bits are the same with all of them.
+    pub fn set_lanes(&mut self, most: Lanes) {
+        self.lanes = most;
+    }
+
     /// Where a particle is, m; nothing if there is no such particle.
     #[must_use]
     pub fn position(&self, particle: u32) -> Option<R::Vec3> {
@@ -234,7 +244,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             Some(plan) => plan,
             None => self.prepare(),
         };
-        let Self { particles, springs, planes, gravity, clock, front, epoch, changes, .. } = self;
+        let Self { particles, springs, planes, gravity, clock, front, epoch, changes, lanes, .. } = self;
         let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end } = particles;
         let (current, next) = if *front == 0 { (a, b) } else { (b, a) };
         let (position, velocity) = current.lend();
@@ -250,36 +260,61 @@ impl<R: Real, M: Storage> Container<R, M> {
                 stiffness: springs.stiffness.items(),
                 damping: springs.damping.items(),
                 rest_length: springs.rest_length.items(),
+                number: springs.number.items(),
+                pieces: springs.pieces.items().as_chunks().0.get(..plan.pieces as usize).unwrap_or_default(),
+                presences: springs.presences.items().as_flattened(),
                 incidence_end: incidence_end.items(),
                 incidences: springs.incidences.items().as_flattened(),
             },
             planes: planes.items(),
             gravity: *gravity,
             plan,
+            lanes: *lanes,
             support: false,
         };
         let force_density = springs.force_density.items_mut();
         let slot_of = slot_of.items();
         let end = *clock;
-        View { system, current, next, force_density, front, epoch, changes: *changes, clock, end, slot_of }
+        View { system, current, next, force_density, is_next_finite: false, front, epoch, changes: *changes, clock, end, slot_of }
     }
 
     /// Sorts particles into slots, lists their springs, and finds out what the world needs.
     fn prepare(&mut self) -> Plan {
         let attached = partition(&mut self.particles, &mut self.springs, self.front);
+        order(&mut self.springs);
         list_incidences(&mut self.particles, &mut self.springs);
+        let (on_diagonals, pieces) = self.find_pieces(attached);
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
             attached,
             particles: self.particles.count(),
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             springs: self.springs.count(),
+            on_diagonals,
+            pieces,
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,
         };
         self.disturb();
         self.plan = Some(plan);
         plan
+    }
+
+    /// Finds the springs that lie on diagonals: how many there are, in how many pieces.
+    fn find_pieces(&mut self, attached: u32) -> (u32, u32) {
+        let SpringColumns { ends, stiffness, damping, rest_length, pieces, presences, .. } = &mut self.springs;
+        let ordered = Ordered {
+            ends: ends.items(),
+            stiffness: stiffness.items(),
+            damping: damping.items(),
+            rest_length: rest_length.items(),
+            attached,
+        };
+        let words = pieces.items_mut();
+        let presences = presences.items_mut().as_flattened_mut();
+        let mut found = Found { words, presences, pieces: 0, places: 0, springs: 0 };
+        ordered.find_pieces(&mut found);
+        (found.springs, found.pieces)
     }
 
     fn slot(&self, particle: u32) -> Result<u32, SetError> {

@@ -41,9 +41,11 @@ pub struct ParticleColumns<R: Real, M: Storage> {
     pub incidence_end: M::Particles<u32>,
 }
 
-/// What a spring has: 4 reals and 24 bytes, that is 40 bytes in `f32` and 56 in `f64`.
+/// What a spring has: 4 reals and 34 bytes, that is 50 bytes in `f32` and 66 in `f64`.
+///
+/// They are kept in the order in which their forces are added (`order.rs`).
 pub struct SpringColumns<R: Real, M: Storage> {
-    /// The slots of its particles: 8 bytes.
+    /// The slots of its particles, the lower first once they are in order: 8 bytes.
     pub ends: M::Springs<[u32; 2]>,
     /// N/m: 1 real.
     pub stiffness: M::Springs<R>,
@@ -55,6 +57,12 @@ pub struct SpringColumns<R: Real, M: Storage> {
     pub force_density: M::Springs<R>,
     /// The incidences of all particles, two a spring, read as one list: 16 bytes.
     pub incidences: M::Springs<[Incidence; 2]>,
+    /// Its number: 4 bytes.
+    pub number: M::Springs<u32>,
+    /// The pieces of diagonals, in order, at most a word a spring: 4 bytes.
+    pub pieces: M::Springs<u32>,
+    /// Whether there is a spring at each place of a piece that has gaps, at most two a spring: 2 bytes.
+    pub presences: M::Springs<[u8; 2]>,
 }
 
 impl<R: Real, M: Storage> StateColumns<R, M> {
@@ -131,6 +139,9 @@ impl<R: Real, M: Storage> SpringColumns<R, M> {
         rest_length: Column::EMPTY,
         force_density: Column::EMPTY,
         incidences: Column::EMPTY,
+        number: Column::EMPTY,
+        pieces: Column::EMPTY,
+        presences: Column::EMPTY,
     };
 
     pub fn count(&self) -> u32 {
@@ -151,6 +162,9 @@ impl<R: Real, M: Storage> SpringColumns<R, M> {
         self.rest_length.push(spring.rest_length).map_err(|_| full)?;
         self.force_density.push(R::ZERO).map_err(|_| full)?;
         self.incidences.push([Incidence::default(); 2]).map_err(|_| full)?;
+        self.number.push(number).map_err(|_| full)?;
+        self.pieces.push(0).map_err(|_| full)?;
+        self.presences.push([0; 2]).map_err(|_| full)?;
         Ok(number)
     }
 }

@@ -3,6 +3,8 @@
 mod clock;
 mod container;
 mod layout;
+mod order;
+mod pieces;
 mod plan;
 mod prepare;
 mod storage;
@@ -15,4 +17,5 @@ pub use storage::{Column, Fixed, Storage};
 pub use view::View;
 
 pub(crate) use clock::Clock;
-pub(crate) use view::{Springs, State, System};
+pub(crate) use pieces::{Piece, TILE};
+pub(crate) use view::{Law, Springs, State, System};

@@ -29,6 +29,10 @@ pub struct Plan {
     pub springs: u32,
     /// Springs with damping: without any, the force passes read no velocities.
     pub damped: Coverage,
+    /// Springs on diagonals: their particles are contiguous, so that whole vectors of them are stepped at once.
+    pub on_diagonals: u32,
+    /// Stretches that those diagonals are cut into.
+    pub pieces: u32,
     /// Planes: without any, nothing is tested for hits.
     pub planes: u32,
 }

@@ -1,5 +1,7 @@
 //! Columns on the heap, for scenes of any size.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use hooke::{Column, Full, Storage};
 
 /// Columns that grow as they are filled.
@@ -7,8 +9,24 @@ use hooke::{Column, Full, Storage};
 pub struct Heap;
 
 /// One column.
+///
+/// A step runs through a dozen columns at the same index. If all of them began at the same place of a memory page, as
+/// large allocations do, those items would all fall into one set of the first cache, which holds eight lines: each
+/// column begins a few cache lines further on than the one before. (On cloths, that makes a step 1.3 to 2 times faster.)
 #[derive(Clone, Debug)]
-pub struct HeapColumn<T>(Vec<T>);
+pub struct HeapColumn<T> {
+    /// As many items as it takes to begin at the right place, then the column's own.
+    items: Vec<T>,
+    start: usize,
+}
+
+/// Bytes after which the sets of a first cache repeat.
+const PAGE: usize = 4096;
+/// How much further on the next column begins, bytes: five cache lines, so that a dozen columns share none.
+const STAGGER: usize = 320;
+
+/// Places in a page that have been given out.
+static PLACES: AtomicUsize = AtomicUsize::new(0);
 
 impl Storage for Heap {
     type Particles<T: Copy> = HeapColumn<T>;
@@ -16,19 +34,35 @@ impl Storage for Heap {
     type Planes<T: Copy> = HeapColumn<T>;
 }
 
+impl<T: Copy> HeapColumn<T> {
+    /// Makes room for more items, of which `filler` is one.
+    fn grow(&mut self, length: usize, filler: T) {
+        let capacity = length.max(2 * self.items().len()).max(16);
+        let mut items = Vec::with_capacity(capacity + PAGE.div_ceil(size_of::<T>().max(1)));
+        let place = PLACES.fetch_add(STAGGER, Ordering::Relaxed);
+        let start = place.wrapping_sub(items.as_ptr() as usize) % PAGE / size_of::<T>().max(1);
+        items.resize(start, filler);
+        items.extend_from_slice(self.items());
+        *self = Self { items, start };
+    }
+}
+
 impl<T: Copy> Column<T> for HeapColumn<T> {
-    const EMPTY: Self = Self(Vec::new());
+    const EMPTY: Self = Self { items: Vec::new(), start: 0 };
 
     fn items(&self) -> &[T] {
-        &self.0
+        self.items.get(self.start..).unwrap_or_default()
     }
 
     fn items_mut(&mut self) -> &mut [T] {
-        &mut self.0
+        self.items.get_mut(self.start..).unwrap_or_default()
     }
 
     fn push(&mut self, item: T) -> Result<(), T> {
-        self.0.push(item);
+        if self.items.len() == self.items.capacity() {
+            self.grow(self.items().len() + 1, item);
+        }
+        self.items.push(item);
         Ok(())
     }
 
@@ -36,8 +70,11 @@ impl<T: Copy> Column<T> for HeapColumn<T> {
     where
         T: Default,
     {
-        if self.0.len() != length {
-            self.0.resize(length, T::default());
+        if self.items().len() != length {
+            if self.start + length > self.items.capacity() {
+                self.grow(length, T::default());
+            }
+            self.items.resize(self.start + length, T::default());
         }
         Ok(())
     }

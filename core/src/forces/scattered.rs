@@ -1,0 +1,91 @@
+//! The springs that lie on no diagonal: what they need is gathered for a few of them at once, and their forces are
+//! added one by one.
+
+use core::ops::Range;
+
+use super::law::force_density;
+use super::tiles::Forces;
+use crate::Real;
+use crate::vectors::{along, difference, fetch, read, store, triples, triples_mut, window};
+use crate::world::{Law, Springs};
+
+/// Springs whose roots and divisions are taken together: what the widest lanes hold.
+const BATCH: usize = 16;
+
+
+/// Adds the forces of these springs. Returns how many of them have length 0.
+#[inline(always)]
+pub fn add<R: Real, const DAMPED: bool>(
+    springs: &Springs<'_, R>,
+    range: Range<u32>,
+    forces: &mut Forces<'_, R>,
+) -> u32 {
+    let mut degenerate = 0;
+    let mut first = range.start;
+    while first < range.end {
+        let end = range.end.min(first + BATCH as u32);
+        degenerate += add_batch::<R, DAMPED>(springs, first..end, forces);
+        first = end;
+    }
+    degenerate
+}
+
+#[inline(always)]
+fn add_batch<R: Real, const DAMPED: bool>(
+    springs: &Springs<'_, R>,
+    batch: Range<u32>,
+    forces: &mut Forces<'_, R>,
+) -> u32 {
+    let [ends] = window([springs.ends], batch.clone());
+    let (position, velocity) = (forces.position, forces.velocity);
+    let mut d = [[R::ZERO; BATCH]; 3];
+    let mut v = [[R::ZERO; BATCH]; 3];
+    for ((d, v), &[i, j]) in triples_mut(d.each_mut().map(<[R; BATCH]>::as_mut_slice))
+        .zip(triples_mut(v.each_mut().map(<[R; BATCH]>::as_mut_slice)))
+        .zip(ends)
+    {
+        set(d, difference(fetch(position, j), fetch(position, i)));
+        if DAMPED {
+            set(v, difference(fetch(velocity, j), fetch(velocity, i)));
+        }
+    }
+    let [stiffness, damping, rest_length] =
+        window([springs.stiffness, springs.damping, springs.rest_length], batch).map(batched);
+    let mut q = [R::ZERO; BATCH];
+    let mut directed = [true; BATCH];
+    let laws = triples([&stiffness, &damping, &rest_length]);
+    let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice)).zip(triples(v.each_ref().map(<[R; BATCH]>::as_slice)));
+    for (((q, directed), (d, v)), [stiffness, damping, rest_length]) in
+        q.iter_mut().zip(&mut directed).zip(vectors).zip(laws)
+    {
+        (*q, *directed) = force_density::<R, DAMPED>(Law { stiffness, damping, rest_length }, d, v);
+    }
+    let mut degenerate = 0;
+    let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice));
+    for ((&[i, j], (q, directed)), d) in ends.iter().zip(q.iter().zip(&directed)).zip(vectors) {
+        let (above, below) = (i - forces.start, j);
+        let lower = along(fetch(read(&forces.above), above), *q, d);
+        store(&mut forces.above, above, lower);
+        let upper = along(fetch(read(&forces.below), below), -*q, d);
+        store(&mut forces.below, below, upper);
+        degenerate += u32::from(!directed);
+    }
+    degenerate
+}
+
+/// A column's stretch, filled up to a batch.
+#[inline(always)]
+fn batched<R: Real>(stretch: &[R]) -> [R; BATCH] {
+    let mut batch = [R::ZERO; BATCH];
+    for (place, value) in batch.iter_mut().zip(stretch) {
+        *place = *value;
+    }
+    batch
+}
+
+#[inline(always)]
+fn set<R: Real>(to: [&mut R; 3], vector: [R; 3]) {
+    for (to, component) in to.into_iter().zip(vector) {
+        *to = component;
+    }
+}

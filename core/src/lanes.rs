@@ -1,0 +1,73 @@
+//! Vector instructions: a kernel's body is written once, compiled for each set of them, and the widest that the
+//! machine has is chosen when it runs.
+//!
+//! The bodies are plain loops over slices that the compiler vectorises. That leaves the language's own rounding rules
+//! in force, so every set gives the same bits without a line that sees to it.
+#![allow(unsafe_code)]
+
+/// A set of vector instructions, narrowest first. A world steps with the widest that there is; this is how to ask for
+/// less, to compare.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Lanes {
+    /// What the whole program has been compiled for: SSE2 on x86-64 unless it was told more.
+    Baseline,
+    /// 256 bits: eight `f32` or four `f64`.
+    Avx2,
+    /// 512 bits: sixteen `f32` or eight `f64`.
+    #[default]
+    Avx512,
+}
+
+impl Lanes {
+    /// The widest set that this machine has, of those that are chosen when the program runs: with the feature `std`,
+    /// on x86-64.
+    #[must_use]
+    pub fn widest() -> Self {
+        #[cfg(all(target_arch = "x86_64", feature = "std"))]
+        {
+            use std::is_x86_feature_detected as has;
+            if has!("avx512f") && has!("avx512vl") && has!("avx512dq") && has!("avx512bw") {
+                return Self::Avx512;
+            }
+            if has!("avx2") {
+                return Self::Avx2;
+            }
+        }
+        Self::Baseline
+    }
+}
+
+/// A loop that is worth vector instructions.
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+    /// Its body: to be marked `#[inline(always)]`, as all that it calls, so that it is compiled for each set.
+    fn run(self) -> Self::Output;
+}
+
+/// Runs a kernel on the widest lanes that there are, up to `most`.
+#[inline]
+pub fn run<K: Kernel>(most: Lanes, kernel: K) -> K::Output {
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    match most.min(Lanes::widest()) {
+        // SAFETY: `widest` has found the instructions that the function is compiled for.
+        Lanes::Avx512 => return unsafe { avx512(kernel) },
+        // SAFETY: likewise.
+        Lanes::Avx2 => return unsafe { avx2(kernel) },
+        Lanes::Baseline => {}
+    }
+    let _ = most;
+    kernel.run()
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[target_feature(enable = "avx2")]
+fn avx2<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run()
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+fn avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run()
+}

@@ -1,0 +1,74 @@
+//! The order in which the forces of springs are added: what makes a sum the same whatever adds it.
+//!
+//! A spring's force is subtracted at its upper end and added at its lower one. Every particle takes first what comes
+//! from below, then what comes from above, both by descending distance in slots, springs between the same two by
+//! number. Going through tiles of ascending slots and, within a tile, through descending offsets, meets every
+//! particle's springs in just that order: what lies further below comes in an earlier tile, or earlier in the same. So
+//! neither the size of a tile nor which springs share a loop can change a bit.
+
+use super::layout::{Incidence, SpringColumns};
+use super::pieces::TILE;
+use super::storage::{Column, Storage};
+use crate::Real;
+use crate::vectors::{at, put};
+
+/// Sorts springs into that order, in place.
+pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>) {
+    let SpringColumns { ends, stiffness, damping, rest_length, number, incidences, .. } = springs;
+    let (ends, number) = (ends.items_mut(), number.items_mut());
+    for [i, j] in ends.iter_mut() {
+        if i > j {
+            core::mem::swap(i, j);
+        }
+    }
+    let key = |[i, j]: [u32; 2], number: u32| (i / TILE, u32::MAX - (j - i), i, number);
+    let keys = || ends.iter().zip(number.iter()).map(|(ends, number)| key(*ends, *number));
+    if keys().is_sorted() {
+        return;
+    }
+    // The incidences are listed after this: until then they are room to sort in.
+    let room = incidences.items_mut();
+    for (index, (room, (ends, number))) in (0..).zip(room.iter_mut().zip(ends.iter().zip(number.iter()))) {
+        let [i, j] = *ends;
+        *room = [Incidence { neighbour: i, spring: j }, Incidence { neighbour: *number, spring: index }];
+    }
+    room.sort_unstable_by_key(|[ends, spring]| key([ends.neighbour, ends.spring], spring.neighbour));
+    let columns = [stiffness, damping, rest_length].map(Column::items_mut);
+    follow(room, ends, number, columns);
+}
+
+/// Puts the spring that each item of `room` names in that item's place, cycle by cycle.
+fn follow<R: Real>(
+    room: &mut [[Incidence; 2]],
+    ends: &mut [[u32; 2]],
+    number: &mut [u32],
+    mut columns: [&mut [R]; 3],
+) {
+    for start in 0..room.len() as u32 {
+        if at(room, start)[1].spring == start {
+            continue;
+        }
+        let first = (at(ends, start), at(number, start), columns.each_ref().map(|column| at(column, start)));
+        let mut place = start;
+        loop {
+            let mut item = at(room, place);
+            let [_, link] = &mut item;
+            let from = core::mem::replace(&mut link.spring, place);
+            put(room, place, item);
+            if from == start {
+                break;
+            }
+            put(ends, place, at(ends, from));
+            put(number, place, at(number, from));
+            for column in &mut columns {
+                put(column, place, at(column, from));
+            }
+            place = from;
+        }
+        put(ends, place, first.0);
+        put(number, place, first.1);
+        for (column, value) in columns.iter_mut().zip(first.2) {
+            put(column, place, value);
+        }
+    }
+}
