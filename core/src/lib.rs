@@ -64,6 +64,7 @@ mod steppers;
 mod sums;
 mod types;
 mod vectors;
+mod workers;
 mod world;
 
 pub use collisions::{Project, Reflect, TimeOfImpact};
@@ -76,4 +77,5 @@ pub use steppers::{
     Auto, Choice, Chosen, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, VelocityVerlet,
 };
 pub use types::*;
+pub use workers::Workers;
 pub use world::{Column, Container, Coverage, Fixed, Plan, Storage, View, World};

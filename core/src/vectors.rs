@@ -145,6 +145,14 @@ pub fn window_mut<const COLUMNS: usize, T>(columns: [&mut [T]; COLUMNS], range: 
     columns.map(|column| column.get_mut(range.start as usize..range.end as usize).unwrap_or_default())
 }
 
+/// Three written columns before and from an index.
+#[inline]
+pub fn split<R>([x, y, z]: ColumnsMut<'_, R>, index: u32) -> (ColumnsMut<'_, R>, ColumnsMut<'_, R>) {
+    let cut = |column| -> (&mut [R], &mut [R]) { <[R]>::split_at_mut_checked(column, index as usize).unwrap_or_default() };
+    let ((x, x_rest), (y, y_rest), (z, z_rest)) = (cut(x), cut(y), cut(z));
+    ([x, y, z], [x_rest, y_rest, z_rest])
+}
+
 /// The vectors of three columns.
 #[inline(always)]
 pub fn triples<'a, R: Real>([x, y, z]: Columns<'a, R>) -> impl Iterator<Item = [R; 3]> + 'a {

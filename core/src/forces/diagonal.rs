@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::law::force_density;
 use super::tiles::Forces;
 use crate::Real;
-use crate::vectors::{Columns, difference, scaled, triples, triples_mut, window, window_mut};
+use crate::vectors::{Columns, difference, lend, scaled, triples, triples_mut, window, window_mut};
 use crate::world::{Law, Piece, Springs, TILE};
 
 /// In place of a piece's presences: no gaps.
@@ -14,10 +14,27 @@ static NO_GAPS: [u8; TILE as usize] = [1; TILE as usize];
 /// Adds the forces of a piece. Returns how many of its springs have length 0.
 #[inline(always)]
 pub fn add<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces<'_, R>) -> u32 {
+    // Where its upper ends come to lie within the slots that are asked for, and where past them.
+    let upper = piece.first + piece.offset;
+    let inside = forces.slots.start.saturating_sub(upper).min(piece.places)
+        ..forces.slots.end.saturating_sub(upper).min(piece.places);
+    let beyond = inside.end..piece.places;
+    let mut degenerate = 0;
+    for places in [inside, beyond] {
+        if !places.is_empty() {
+            degenerate += add_part(springs, &piece.part(places), forces);
+        }
+    }
+    degenerate
+}
+
+/// Adds the forces of a piece whose upper ends lie all within the slots that are asked for, or all past them.
+#[inline(always)]
+fn add_part<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces<'_, R>) -> u32 {
     let law = springs.law(piece.spring);
     let damped = law.damping != R::ZERO;
     if !piece.uniform {
-        let range = piece.spring..piece.spring + piece.springs;
+        let range = piece.spring..piece.spring + piece.places;
         let [stiffness, damping, rest_length] =
             window([springs.stiffness, springs.damping, springs.rest_length], range);
         let laws = triples([stiffness, damping, rest_length]);
@@ -40,11 +57,16 @@ fn pull<R: Real, const DAMPED: bool>(
     piece: &Piece,
     forces: &mut Forces<'_, R>,
 ) -> u32 {
-    let shifted = |by: u32| -> Range<u32> { piece.first + by..piece.first + by + piece.places };
-    let (lower, upper) = (shifted(0), shifted(piece.offset));
-    let within = piece.first - forces.start;
-    let [above_x, above_y, above_z] = window_mut(forces.above.each_mut().map(|c| &mut **c), within..within + piece.places);
-    let [below_x, below_y, below_z] = window_mut(forces.below.each_mut().map(|c| &mut **c), upper.clone());
+    let from = |first: u32| -> Range<u32> { first..first + piece.places };
+    let (lower, upper) = (from(piece.first), from(piece.first + piece.offset));
+    let within = from(piece.first - forces.start);
+    let [above_x, above_y, above_z] = window_mut(lend(&mut forces.above), within);
+    let [below_x, below_y, below_z] = if upper.end <= forces.slots.end {
+        let below = upper.start - forces.slots.start;
+        window_mut(lend(&mut forces.below), from(below))
+    } else {
+        window_mut(lend(&mut forces.nowhere), from(0))
+    };
     let (position, velocity) = (forces.position, forces.velocity);
     add_places::<R, DAMPED>(
         laws,

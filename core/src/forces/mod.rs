@@ -7,10 +7,11 @@ pub(crate) mod energy;
 mod law;
 mod net;
 mod scattered;
+mod shared;
+mod sweep;
 mod tiles;
 
 use crate::Real;
-use crate::lanes;
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut};
 use crate::world::{Coverage, System};
@@ -29,23 +30,26 @@ impl<R: Real> System<'_, R> {
         out: ColumnsMut<'_, R>,
         report: &mut StepReport,
     ) {
-        self.accelerations_then(position, velocity, out, report, &mut Keep);
+        self.accelerations_then(position, velocity, out, report, Keep);
     }
 
-    /// The same, and what follows for each tile of particles while it is at hand.
+    /// The same, and what follows for each tile of particles while it is at hand. Returns whether all of that is finite.
     pub(crate) fn accelerations_then(
         &self,
         position: Columns<'_, R>,
         velocity: Columns<'_, R>,
-        mut out: ColumnsMut<'_, R>,
+        out: ColumnsMut<'_, R>,
         report: &mut StepReport,
-        then: &mut impl Then<R>,
-    ) {
+        then: impl Then<R>,
+    ) -> bool {
         if self.plan.springs > 0 {
             report.force_evaluations += 1;
         }
-        report.degenerate_springs =
-            lanes::run(self.lanes, Accelerations { system: self, position, velocity, out: &mut out, then });
+        let slots = 0..self.plan.particles;
+        let whole = Accelerations { system: self, position, velocity, slots, out, then };
+        let outcome = shared::run(whole);
+        report.degenerate_springs = outcome.degenerate;
+        outcome.finite
     }
 
     /// The force densities of all springs (N/m), reading no velocities where nothing is damped. Returns how many

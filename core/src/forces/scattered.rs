@@ -63,10 +63,11 @@ fn add_batch<R: Real, const DAMPED: bool>(
     let mut degenerate = 0;
     let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice));
     for ((&[i, j], (q, directed)), d) in ends.iter().zip(q.iter().zip(&directed)).zip(vectors) {
-        let (above, below) = (i - forces.start, j);
+        let (above, below) = (i - forces.start, j.wrapping_sub(forces.slots.start));
         let lower = along(fetch(read(&forces.above), above), *q, d);
         store(&mut forces.above, above, lower);
         let upper = along(fetch(read(&forces.below), below), -*q, d);
+        // Past the slots that are asked for, nothing is stored.
         store(&mut forces.below, below, upper);
         degenerate += u32::from(!directed);
     }

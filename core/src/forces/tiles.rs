@@ -2,17 +2,21 @@
 
 use core::ops::Range;
 
+use super::sweep::Sweep;
 use super::{diagonal, scattered};
 use crate::Real;
 use crate::contact::hold_up;
 use crate::lanes::Kernel;
-use crate::vectors::{Columns, ColumnsMut, at, lend, window, window_mut};
-use crate::world::{Coverage, Piece, System, TILE};
+use crate::vectors::{Columns, ColumnsMut, lend, window, window_mut};
+use crate::world::{Coverage, System, TILE};
 
 /// What becomes of a tile's accelerations once they are known.
-pub trait Then<R> {
-    /// Of the particles in these slots.
-    fn then(&mut self, slots: Range<u32>, accelerations: ColumnsMut<'_, R>);
+pub trait Then<R>: Sized + Send {
+    /// Of the particles in these slots. Returns whether everything made of them is finite.
+    fn then(&mut self, slots: Range<u32>, accelerations: ColumnsMut<'_, R>) -> bool;
+
+    /// For the slots before this one, and for those from it on.
+    fn split(self, slot: u32) -> (Self, Self);
 }
 
 /// Nothing more: they are what was asked for.
@@ -20,81 +24,117 @@ pub struct Keep;
 
 impl<R> Then<R> for Keep {
     #[inline(always)]
-    fn then(&mut self, _slots: Range<u32>, _accelerations: ColumnsMut<'_, R>) {}
+    fn then(&mut self, _slots: Range<u32>, _accelerations: ColumnsMut<'_, R>) -> bool {
+        true
+    }
+
+    fn split(self, _slot: u32) -> (Self, Self) {
+        (Self, Self)
+    }
 }
 
-/// a(x, v) of every particle, written to `out`, and what follows.
-pub struct Accelerations<'a, 'b, R, T> {
+/// a(x, v) of the particles in `slots`, written to `out`, and what follows.
+pub struct Accelerations<'a, R, T> {
     pub system: &'a System<'a, R>,
     pub position: Columns<'a, R>,
     pub velocity: Columns<'a, R>,
-    pub out: &'a mut ColumnsMut<'b, R>,
-    pub then: &'a mut T,
+    /// Begins and ends with a tile, or with the particles.
+    pub slots: Range<u32>,
+    /// Of these slots.
+    pub out: ColumnsMut<'a, R>,
+    pub then: T,
 }
 
-impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, '_, R, T> {
+/// What came of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Outcome {
     /// Springs of length 0.
-    type Output = u32;
+    pub degenerate: u32,
+    /// Whether all that followed is finite.
+    pub finite: bool,
+}
+
+impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
+    type Output = Outcome;
 
     #[inline(always)]
-    fn run(self) -> u32 {
-        let Self { system, position, velocity, out, then } = self;
-        let (springs, plan) = (&system.springs, system.plan);
-        let mut degenerate = 0;
-        let mut pieces = springs.pieces.iter().copied().map(Piece::from_words).peekable();
-        // The springs before this one have been dealt with, and the particles before that slot been set to 0.
-        let (mut spring, mut cleared) = (0, 0);
-        let mut from_above = [[R::ZERO; TILE as usize]; 3];
-        let mut start = 0;
-        while start < plan.attached {
-            let end = start.saturating_add(TILE).min(plan.attached);
-            // A tile's first spring is its longest, in slots.
-            let [i, j] = at(springs.ends, spring);
-            let reach = if i < end { end.saturating_add(j - i).min(plan.attached) } else { end };
-            if reach > cleared {
-                for column in window_mut(lend(out), cleared..reach) {
-                    column.fill(R::ZERO);
-                }
-                cleared = reach;
-            }
-            for column in &mut from_above {
+    fn run(self) -> Outcome {
+        let Self { system, position, velocity, slots, mut out, mut then } = self;
+        let attached = system.plan.attached;
+        let pulled = slots.start.min(attached)..slots.end.min(attached);
+        let mut outcome = Outcome { degenerate: 0, finite: true };
+        let mut room = [const { [[R::ZERO; TILE as usize]; 3] }; 2];
+        let [from_above, nowhere] = &mut room;
+        let mut sweep = Sweep::reaching(&system.springs, system.plan.span, pulled.start);
+        while sweep.slot < pulled.end {
+            let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);
+            let is_ours = tile.start >= pulled.start;
+            for column in window_mut(lend(&mut out), within(&pulled, &sweep.to_clear(&tile, &pulled))) {
                 column.fill(R::ZERO);
             }
-            let [above_x, above_y, above_z] = &mut from_above;
-            let mut forces = Forces { position, velocity, start, above: [above_x, above_y, above_z], below: lend(out) };
-            loop {
-                let piece = pieces.next_if(|piece| piece.first < end);
-                let until = piece.map_or_else(|| scattered_end(springs.ends, spring, end), |piece| piece.spring);
-                if spring < until {
-                    degenerate += if plan.damped == Coverage::None {
-                        scattered::add::<R, false>(springs, spring..until, &mut forces)
-                    } else {
-                        scattered::add::<R, true>(springs, spring..until, &mut forces)
-                    };
-                    spring = until;
-                }
-                let Some(piece) = piece else { break };
-                degenerate += diagonal::add(springs, &piece, &mut forces);
-                spring += piece.springs;
+            for column in from_above.iter_mut() {
+                column.fill(R::ZERO);
             }
-            let slots = start..end;
-            let mut tile = window_mut(lend(out), slots.clone());
-            divide_by_mass(system, &slots, from_above.each_ref().map(<[R; TILE as usize]>::as_slice), lend(&mut tile));
+            let mut forces = Forces {
+                position,
+                velocity,
+                start: tile.start,
+                above: from_above.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
+                slots: pulled.clone(),
+                below: lend(&mut out),
+                nowhere: nowhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
+            };
+            let degenerate = add_tile(system, &mut sweep, tile.end, &mut forces);
+            if !is_ours {
+                // It lies before these slots: its springs were gone through for what they pull at in them.
+                continue;
+            }
+            outcome.degenerate += degenerate;
+            let mut a = window_mut(lend(&mut out), within(&pulled, &tile));
+            let above = from_above.each_ref().map(<[R; TILE as usize]>::as_slice);
+            divide_by_mass(system, &tile, above, lend(&mut a));
             if system.support {
-                hold_up(system, slots.clone(), position, velocity, lend(&mut tile));
+                hold_up(system, tile.clone(), position, velocity, lend(&mut a));
             }
-            then.then(slots, tile);
-            start = end;
+            outcome.finite &= then.then(tile, a);
         }
-        while start < plan.particles {
-            let slots = start..start.saturating_add(TILE).min(plan.particles);
-            start = slots.end;
-            let mut tile = window_mut(lend(out), slots.clone());
-            fall(system, &slots, lend(&mut tile));
-            then.then(slots, tile);
+        let mut start = slots.start.max(attached);
+        while start < slots.end {
+            let tile = start..start.saturating_add(TILE).min(slots.end);
+            start = tile.end;
+            let mut a = window_mut(lend(&mut out), within(&slots, &tile));
+            fall(system, &tile, lend(&mut a));
+            outcome.finite &= then.then(tile, a);
         }
-        degenerate
+        outcome
     }
+}
+
+/// Where some slots are among others.
+#[inline(always)]
+fn within(slots: &Range<u32>, part: &Range<u32>) -> Range<u32> {
+    part.start - slots.start..part.end - slots.start
+}
+
+/// Adds the forces of the springs that begin in the tile up to `end`. Returns how many of them have length 0.
+#[inline(always)]
+fn add_tile<R: Real>(system: &System<'_, R>, sweep: &mut Sweep<'_>, end: u32, forces: &mut Forces<'_, R>) -> u32 {
+    let springs = &system.springs;
+    let mut degenerate = 0;
+    loop {
+        let (scattered, piece) = sweep.next(end);
+        if !scattered.is_empty() {
+            degenerate += if system.plan.damped == Coverage::None {
+                scattered::add::<R, false>(springs, scattered, forces)
+            } else {
+                scattered::add::<R, true>(springs, scattered, forces)
+            };
+        }
+        let Some(piece) = piece else { break };
+        degenerate += diagonal::add(springs, &piece, forces);
+    }
+    sweep.slot = end;
+    degenerate
 }
 
 /// The forces on the particles of a tile as they are being added.
@@ -105,19 +145,12 @@ pub struct Forces<'a, R> {
     pub start: u32,
     /// From springs to higher slots, of the tile's particles.
     pub above: ColumnsMut<'a, R>,
-    /// From springs to lower slots, of all particles.
+    /// The slots that are asked for.
+    pub slots: Range<u32>,
+    /// From springs to lower slots, of those.
     pub below: ColumnsMut<'a, R>,
-}
-
-/// The first spring from this one on that begins at `slot` or past it.
-#[inline(always)]
-fn scattered_end(ends: &[[u32; 2]], spring: u32, slot: u32) -> u32 {
-    let rest = ends.get(spring as usize..).unwrap_or_default();
-    if rest.first().is_some_and(|[i, _]| *i < slot) {
-        spring + rest.partition_point(|[i, _]| *i < slot) as u32
-    } else {
-        spring
-    }
+    /// For what springs to lower slots do to others: as long as a tile.
+    pub nowhere: ColumnsMut<'a, R>,
 }
 
 /// a = g + f/m, or 0 where held: what is there is the force from below.

@@ -270,6 +270,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             gravity: *gravity,
             plan,
             lanes: *lanes,
+            workers: None,
             support: false,
         };
         let force_density = springs.force_density.items_mut();
@@ -291,6 +292,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             springs: self.springs.count(),
             on_diagonals,
+            span: self.springs.ends.items().iter().map(|[i, j]| j - i).max().unwrap_or(0),
             pieces,
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,

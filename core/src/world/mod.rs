@@ -17,5 +17,5 @@ pub use storage::{Column, Fixed, Storage};
 pub use view::View;
 
 pub(crate) use clock::Clock;
-pub(crate) use pieces::{Piece, TILE};
+pub(crate) use pieces::{Piece, TILE, Words};
 pub(crate) use view::{Law, Springs, State, System};

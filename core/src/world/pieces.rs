@@ -4,6 +4,8 @@
 //! *Iterative Methods for Sparse Linear Systems*, §3.4). A piece is a stretch of a diagonal within one tile: its
 //! particles, and those at the other ends, are contiguous, so nothing has to be gathered.
 
+use core::ops::Range;
+
 use crate::Real;
 use crate::vectors::at;
 
@@ -16,8 +18,8 @@ const LANES: u32 = 16;
 const LEAST: u32 = 8;
 /// More places without a spring than this end a piece.
 const LONGEST_GAP: u32 = 7;
-/// Words that a piece is kept in: no more than it has springs.
-pub const WORDS: usize = 6;
+/// What a piece is kept in: no more words than it has springs.
+pub type Words = [u32; 6];
 /// In place of where its presences begin: every place has a spring.
 const NO_GAPS: u32 = u32::MAX;
 
@@ -32,7 +34,7 @@ pub struct Piece {
     pub offset: u32,
     /// Its first spring.
     pub spring: u32,
-    /// Its springs.
+    /// Its springs; as many as places where there are no gaps.
     pub springs: u32,
     /// Where the presences of its places begin, if not all have a spring.
     pub presences: Option<u32>,
@@ -42,7 +44,8 @@ pub struct Piece {
 
 impl Piece {
     /// As it is kept.
-    pub fn from_words([first, places, offset, spring, springs, presences]: [u32; WORDS]) -> Self {
+    #[inline(always)]
+    pub fn from_words([first, places, offset, spring, springs, presences]: Words) -> Self {
         Self {
             first,
             places,
@@ -54,7 +57,19 @@ impl Piece {
         }
     }
 
-    fn to_words(self) -> [u32; WORDS] {
+    /// Of these places only.
+    #[inline(always)]
+    pub fn part(&self, places: Range<u32>) -> Self {
+        Self {
+            first: self.first + places.start,
+            places: places.end - places.start,
+            spring: if self.uniform { self.spring } else { self.spring + places.start },
+            presences: self.presences.map(|presences| presences + places.start),
+            ..*self
+        }
+    }
+
+    fn to_words(self) -> Words {
         let springs = self.springs << 1 | u32::from(self.uniform);
         [self.first, self.places, self.offset, self.spring, springs, self.presences.unwrap_or(NO_GAPS)]
     }

@@ -31,6 +31,8 @@ pub struct Plan {
     pub damped: Coverage,
     /// Springs on diagonals: their particles are contiguous, so that whole vectors of them are stepped at once.
     pub on_diagonals: u32,
+    /// The furthest that a spring reaches, in slots.
+    pub span: u32,
     /// Stretches that those diagonals are cut into.
     pub pieces: u32,
     /// Planes: without any, nothing is tested for hits.

@@ -2,10 +2,11 @@
 
 use super::clock::Clock;
 use super::layout::Incidence;
-use super::pieces::WORDS;
+use super::pieces::Words;
 use super::plan::Plan;
 use crate::Real;
 use crate::lanes::Lanes;
+use crate::workers::Workers;
 use crate::types::{Plane, StepError};
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read};
 
@@ -63,7 +64,7 @@ pub struct Springs<'a, R> {
     /// Its number.
     pub number: &'a [u32],
     /// The pieces of diagonals, as they are kept.
-    pub pieces: &'a [[u32; WORDS]],
+    pub pieces: &'a [Words],
     /// Of the places of pieces with gaps.
     pub presences: &'a [u8],
     /// Where the incidences of each slot end.
@@ -131,6 +132,8 @@ pub struct System<'a, R> {
     pub plan: Plan,
     /// The most that kernels may make use of.
     pub lanes: Lanes,
+    /// Who shares the work, if anybody does.
+    pub workers: Option<&'a dyn Workers>,
     /// Whether particles at rest on planes are held up by them while they are pressed against them.
     pub support: bool,
 }
@@ -164,7 +167,7 @@ pub struct View<'a, R: Real> {
     pub(crate) slot_of: &'a [u32],
 }
 
-impl<R: Real> View<'_, R> {
+impl<'a, R: Real> View<'a, R> {
     /// What the world needs.
     #[must_use]
     pub fn plan(&self) -> &Plan {
@@ -175,6 +178,11 @@ impl<R: Real> View<'_, R> {
     #[must_use]
     pub fn time(&self) -> f64 {
         self.clock.seconds()
+    }
+
+    /// Shares the work of the steps that this view takes among threads.
+    pub fn share_among(&mut self, workers: &'a dyn Workers) {
+        self.system.workers = Some(workers);
     }
 
     /// Where a particle is, m; nothing if there is no such particle.

@@ -18,6 +18,8 @@ pub struct HeapColumn<T> {
     /// As many items as it takes to begin at the right place, then the column's own.
     items: Vec<T>,
     start: usize,
+    /// The byte of a page that it begins at, once it has any items.
+    place: Option<usize>,
 }
 
 /// Bytes after which the sets of a first cache repeat.
@@ -39,16 +41,16 @@ impl<T: Copy> HeapColumn<T> {
     fn grow(&mut self, length: usize, filler: T) {
         let capacity = length.max(2 * self.items().len()).max(16);
         let mut items = Vec::with_capacity(capacity + PAGE.div_ceil(size_of::<T>().max(1)));
-        let place = PLACES.fetch_add(STAGGER, Ordering::Relaxed);
+        let place = self.place.unwrap_or_else(|| PLACES.fetch_add(STAGGER, Ordering::Relaxed));
         let start = place.wrapping_sub(items.as_ptr() as usize) % PAGE / size_of::<T>().max(1);
         items.resize(start, filler);
         items.extend_from_slice(self.items());
-        *self = Self { items, start };
+        *self = Self { items, start, place: Some(place) };
     }
 }
 
 impl<T: Copy> Column<T> for HeapColumn<T> {
-    const EMPTY: Self = Self { items: Vec::new(), start: 0 };
+    const EMPTY: Self = Self { items: Vec::new(), start: 0, place: None };
 
     fn items(&self) -> &[T] {
         self.items.get(self.start..).unwrap_or_default()

@@ -1,0 +1,54 @@
+//! Work that is shared among threads, if whoever owns the world has some to offer.
+
+use super::tiles::{Accelerations, Outcome, Then};
+use crate::Real;
+use crate::lanes;
+use crate::vectors::split;
+use crate::world::TILE;
+
+/// Does the work, in halves for as long as there are threads for them.
+///
+/// Each half writes to its own particles alone, and goes through the springs that pull at them in the same order as
+/// the whole would: the bits are the same. What both need of a spring across the cut is worked out twice.
+pub fn run<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
+    let Some(workers) = work.system.workers else { return alone(work) };
+    share(work, workers.count())
+}
+
+fn alone<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
+    lanes::run(work.system.lanes, work)
+}
+
+fn share<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>, threads: u32) -> Outcome {
+    let length = work.slots.end - work.slots.start;
+    // In proportion, and by whole tiles.
+    let first_threads = threads / 2;
+    let cut = (u64::from(length) * u64::from(first_threads) / u64::from(threads.max(1))) as u32;
+    let slot = (work.slots.start + cut) / TILE * TILE;
+    let Some(workers) = work.system.workers else { return alone(work) };
+    if threads < 2 || slot <= work.slots.start || slot >= work.slots.end {
+        return alone(work);
+    }
+    let (lower, upper) = halves(work, slot);
+    let (mut lower, mut upper) = (Some(lower), Some(upper));
+    let (mut first, mut second) = (Outcome::default(), Outcome::default());
+    workers.both(
+        &mut || first = lower.take().map_or(first, |half| share(half, first_threads)),
+        &mut || second = upper.take().map_or(second, |half| share(half, threads - first_threads)),
+    );
+    Outcome { degenerate: first.degenerate + second.degenerate, finite: first.finite && second.finite }
+}
+
+fn halves<R: Real, T: Then<R>>(
+    work: Accelerations<'_, R, T>,
+    slot: u32,
+) -> (Accelerations<'_, R, T>, Accelerations<'_, R, T>) {
+    let Accelerations { system, position, velocity, slots, out, then } = work;
+    let (lower_out, upper_out) = split(out, slot - slots.start);
+    let (lower_then, upper_then) = then.split(slot);
+    let (lower, upper) = (slots.start..slot, slot..slots.end);
+    (
+        Accelerations { system, position, velocity, slots: lower, out: lower_out, then: lower_then },
+        Accelerations { system, position, velocity, slots: upper, out: upper_out, then: upper_then },
+    )
+}
