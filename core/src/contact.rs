@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use crate::Real;
+use crate::reach::Reach;
 use crate::types::Plane;
 use crate::vectors::{Columns, ColumnsMut, across, at, cross, dot, fetch, read, scaled, size, store};
 use crate::world::System;
@@ -119,6 +120,10 @@ pub fn hold_up<R: Real>(
     mut accelerations: ColumnsMut<'_, R>,
 ) {
     if system.planes.is_empty() {
+        return;
+    }
+    let reach = Reach::at(system.lanes, position, slots.clone());
+    if !system.planes.iter().any(|plane| reach.may_meet(plane)) {
         return;
     }
     for (index, slot) in (0..).zip(slots) {

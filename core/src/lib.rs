@@ -55,6 +55,7 @@ mod contact;
 mod forces;
 mod lanes;
 mod ledger;
+mod reach;
 mod real;
 mod roles;
 mod solve;

@@ -148,7 +148,8 @@ pub fn window_mut<const COLUMNS: usize, T>(columns: [&mut [T]; COLUMNS], range: 
 /// Three written columns before and from an index.
 #[inline]
 pub fn split<R>([x, y, z]: ColumnsMut<'_, R>, index: u32) -> (ColumnsMut<'_, R>, ColumnsMut<'_, R>) {
-    let cut = |column| -> (&mut [R], &mut [R]) { <[R]>::split_at_mut_checked(column, index as usize).unwrap_or_default() };
+    let cut =
+        |column| -> (&mut [R], &mut [R]) { <[R]>::split_at_mut_checked(column, index as usize).unwrap_or_default() };
     let ((x, x_rest), (y, y_rest), (z, z_rest)) = (cut(x), cut(y), cut(z));
     ([x, y, z], [x_rest, y_rest, z_rest])
 }

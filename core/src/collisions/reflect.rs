@@ -1,6 +1,9 @@
 //! The response that turns velocities round and leaves positions.
 
+use core::ops::Range;
+
 use crate::Real;
+use crate::reach::{Reach, tiles};
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, store};
@@ -47,26 +50,47 @@ pub fn answer<R: Real>(
     displace: impl Fn(&Plane<R>, R, [R; 3]) -> [R; 3],
 ) -> Answer {
     let mut answer = Answer::default();
-    for plane in system.planes {
-        for slot in 0..system.plan.particles {
-            let position = fetch(read(&state.position), slot);
-            let gap = plane.gap(position);
-            if gap >= R::ZERO || !system.is_dynamic(slot) {
-                continue;
-            }
-            let velocity = fetch(read(&state.velocity), slot);
-            let speed = dot(plane.normal, velocity);
-            if speed < R::ZERO {
-                let change = -(R::ONE + plane.restitution) * speed;
-                store(&mut state.velocity, slot, along(velocity, change, plane.normal));
-                store(&mut state.position, slot, displace(plane, gap, position));
-                let (before, after) = (speed.to_f64(), (plane.restitution * speed).to_f64());
-                answer.hits += 1;
-                answer.lost += 0.5 * at(system.mass, slot).to_f64() * (before * before - after * after);
+    if system.planes.is_empty() {
+        return answer;
+    }
+    for slots in tiles(0..system.plan.particles) {
+        let reach = Reach::at(system.lanes, read(&state.position), slots.clone());
+        let before = answer.hits;
+        for plane in system.planes {
+            // What has been hit may have been displaced, and the box is then no longer its own.
+            if answer.hits > before || reach.may_meet(plane) {
+                answer_tile(system, state, plane, slots.clone(), &mut answer, &displace);
             }
         }
     }
     answer
+}
+
+fn answer_tile<R: Real>(
+    system: &System<'_, R>,
+    state: &mut State<'_, R>,
+    plane: &Plane<R>,
+    slots: Range<u32>,
+    answer: &mut Answer,
+    displace: &impl Fn(&Plane<R>, R, [R; 3]) -> [R; 3],
+) {
+    for slot in slots {
+        let position = fetch(read(&state.position), slot);
+        let gap = plane.gap(position);
+        if gap >= R::ZERO || !system.is_dynamic(slot) {
+            continue;
+        }
+        let velocity = fetch(read(&state.velocity), slot);
+        let speed = dot(plane.normal, velocity);
+        if speed < R::ZERO {
+            let change = -(R::ONE + plane.restitution) * speed;
+            store(&mut state.velocity, slot, along(velocity, change, plane.normal));
+            store(&mut state.position, slot, displace(plane, gap, position));
+            let (before, after) = (speed.to_f64(), (plane.restitution * speed).to_f64());
+            answer.hits += 1;
+            answer.lost += 0.5 * at(system.mass, slot).to_f64() * (before * before - after * after);
+        }
+    }
 }
 
 /// Makes the next state, in which collisions have been answered, the current one.

@@ -3,13 +3,16 @@
 use super::Answer;
 use super::bounce::{Flight, Path, first_contact, half_square};
 use super::stop::stop_all;
+use core::ops::Range;
+
 use crate::Real;
 use crate::contact::{lies_on, resting, rounding, support, touching};
 use crate::forces::pull;
+use crate::reach::{Reach, tiles};
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Full, Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, size, store};
-use crate::world::{Clock, Plan, State, StateColumns, Storage, View};
+use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View};
 
 /// Parts that hits may cut one step into. What hits after that is stopped where it is, and reported.
 const MOST_SUBSTEPS: u32 = 64;
@@ -130,7 +133,7 @@ fn step<R: Real>(
             if hit.tau > R::ZERO {
                 report.add(&stepper.advance(&mut view.attached(), hit.tau));
                 view.attached().refuse_non_finite()?;
-                keep_lying(&mut view.attached());
+                keep_lying(&mut view.attached(), hit.tau);
                 observer.advanced(view, hit.tau);
                 view.next.keep(view.system.plan.attached, &view.current);
             } else {
@@ -167,63 +170,88 @@ fn advance_to_hit<R: Real>(
     let mut attached = view.attached();
     report.add(&stepper.advance(&mut attached, rest));
     attached.refuse_non_finite()?;
-    keep_lying(&mut attached);
+    keep_lying(&mut attached, rest);
     Ok(first_hit(&attached, rest))
 }
 
 /// Keeps what lay on a plane before a step, and is not pulled off it, on that plane. The roundings of the step are taken
 /// from it: where its sliding turns round, those of its fastest would else look like a motion of their own.
-fn keep_lying<R: Real>(view: &mut View<'_, R>) {
+fn keep_lying<R: Real>(view: &mut View<'_, R>, dt: R) {
     let View { system, current, next, .. } = view;
-    for plane in system.planes {
-        for slot in 0..system.plan.particles {
-            let (position, velocity) = (fetch(read(&current.position), slot), fetch(read(&current.velocity), slot));
-            if !lies_on(plane, position, velocity) || !system.is_dynamic(slot) {
-                continue;
-            }
-            let mut after =
-                Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
-            let pull = pull(system, read(&next.position), read(&next.velocity), slot);
-            let a = along(system.gravity, at(system.inverse_mass, slot), pull);
-            if dot(plane.normal, support(system.planes, position, velocity, a).allow(a)) > rounding(size(a)) {
-                // It is on its way off the plane, however slowly.
-                continue;
-            }
-            if plane.gap(after.position) < -touching(plane, after.position) {
-                // It began to be pressed against it within the step, while an implicit stepper held up only what was at the
-                // start.
-                after.position = along(after.position, -plane.gap(after.position), plane.normal);
-                after.velocity =
-                    along(after.velocity, (-dot(plane.normal, after.velocity)).at_least(R::ZERO), plane.normal);
-            }
-            after.keep_on(plane, velocity);
-            store(&mut next.position, slot, after.position);
-            store(&mut next.velocity, slot, after.velocity);
+    if system.planes.is_empty() {
+        return;
+    }
+    for slots in tiles(0..system.plan.particles) {
+        let reach = Reach::between(system.lanes, current, next, dt, slots.clone());
+        for plane in system.planes.iter().filter(|plane| reach.may_meet(plane)) {
+            keep_tile_lying(system, current, next, plane, slots.clone());
         }
+    }
+}
+
+fn keep_tile_lying<R: Real>(
+    system: &System<'_, R>,
+    current: &State<'_, R>,
+    next: &mut State<'_, R>,
+    plane: &Plane<R>,
+    slots: Range<u32>,
+) {
+    for slot in slots {
+        let (position, velocity) = (fetch(read(&current.position), slot), fetch(read(&current.velocity), slot));
+        if !lies_on(plane, position, velocity) || !system.is_dynamic(slot) {
+            continue;
+        }
+        let mut after =
+            Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
+        let pull = pull(system, read(&next.position), read(&next.velocity), slot);
+        let a = along(system.gravity, at(system.inverse_mass, slot), pull);
+        if dot(plane.normal, support(system.planes, position, velocity, a).allow(a)) > rounding(size(a)) {
+            // It is on its way off the plane, however slowly.
+            continue;
+        }
+        if plane.gap(after.position) < -touching(plane, after.position) {
+            // It began to be pressed against it within the step, while an implicit stepper held up only what was at the
+            // start.
+            after.position = along(after.position, -plane.gap(after.position), plane.normal);
+            after.velocity =
+                along(after.velocity, (-dot(plane.normal, after.velocity)).at_least(R::ZERO), plane.normal);
+        }
+        after.keep_on(plane, velocity);
+        store(&mut next.position, slot, after.position);
+        store(&mut next.velocity, slot, after.velocity);
     }
 }
 
 /// The first hit of any particle between the current state and the next one, `duration` seconds later.
 fn first_hit<R: Real>(view: &View<'_, R>, duration: R) -> Option<Hit<R>> {
-    let mut first: Option<Hit<R>> = None;
-    for plane in view.system.planes {
-        for slot in 0..view.system.plan.particles {
-            let after = plane.gap(fetch(read(&view.next.position), slot));
-            let velocity = fetch(read(&view.current.velocity), slot);
-            let speed = dot(plane.normal, velocity);
-            if after >= R::ZERO && speed >= R::ZERO || !view.system.is_dynamic(slot) {
-                continue;
-            }
-            let position = fetch(read(&view.current.position), slot);
-            let tau = time_to(plane, position, velocity, after, duration);
-            if let Some(tau) = tau
-                && tau < first.as_ref().map_or(duration, |hit| hit.tau)
-            {
-                first = Some(Hit { tau, slot, plane: *plane });
+    let View { system, current, next, .. } = view;
+    let mut first: Option<(Hit<R>, usize)> = None;
+    if system.planes.is_empty() {
+        return None;
+    }
+    for slots in tiles(0..system.plan.particles) {
+        let reach = Reach::between(system.lanes, current, next, duration, slots.clone());
+        for (number, plane) in system.planes.iter().enumerate().filter(|(_, plane)| reach.may_meet(plane)) {
+            for slot in slots.clone() {
+                let after = plane.gap(fetch(read(&next.position), slot));
+                let velocity = fetch(read(&current.velocity), slot);
+                let speed = dot(plane.normal, velocity);
+                if after >= R::ZERO && speed >= R::ZERO || !system.is_dynamic(slot) {
+                    continue;
+                }
+                let position = fetch(read(&current.position), slot);
+                let Some(tau) = time_to(plane, position, velocity, after, duration) else { continue };
+                // Of several at the same time the first is that of the first plane.
+                let is_first = first
+                    .as_ref()
+                    .map_or(tau < duration, |(hit, plane)| tau < hit.tau || tau == hit.tau && number < *plane);
+                if is_first {
+                    first = Some((Hit { tau, slot, plane: *plane }, number));
+                }
             }
         }
     }
-    first
+    first.map(|(hit, _)| hit)
 }
 
 /// When a plane is met, given the gap `after` the time `duration`; nothing if the particle lies on it.
@@ -279,8 +307,12 @@ fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
     for _ in 0..MOST_ROUNDS {
         let mut answered = false;
         for plane in system.planes {
-            for slot in 0..system.plan.particles {
-                answered |= respond(next, plane, slot, false);
+            for slots in tiles(0..system.plan.particles) {
+                if Reach::at(system.lanes, read(&next.position), slots.clone()).may_meet(plane) {
+                    for slot in slots {
+                        answered |= respond(next, plane, slot, false);
+                    }
+                }
             }
         }
         if !answered {

@@ -21,12 +21,7 @@ pub fn net_force<R: Real>(
 }
 
 /// The same where they are not known.
-pub fn pull<R: Real>(
-    system: &System<'_, R>,
-    position: Columns<'_, R>,
-    velocity: Columns<'_, R>,
-    slot: u32,
-) -> [R; 3] {
+pub fn pull<R: Real>(system: &System<'_, R>, position: Columns<'_, R>, velocity: Columns<'_, R>, slot: u32) -> [R; 3] {
     let (here, v) = (fetch(position, slot), fetch(velocity, slot));
     system.springs.of_slot(slot).iter().fold([R::ZERO; 3], |force, incidence| {
         let d = difference(fetch(position, incidence.neighbour), here);

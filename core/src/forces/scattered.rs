@@ -12,7 +12,6 @@ use crate::world::{Law, Springs};
 /// Springs whose roots and divisions are taken together: what the widest lanes hold.
 const BATCH: usize = 16;
 
-
 /// Adds the forces of these springs. Returns how many of them have length 0.
 #[inline(always)]
 pub fn add<R: Real, const DAMPED: bool>(
@@ -54,7 +53,8 @@ fn add_batch<R: Real, const DAMPED: bool>(
     let mut q = [R::ZERO; BATCH];
     let mut directed = [true; BATCH];
     let laws = triples([&stiffness, &damping, &rest_length]);
-    let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice)).zip(triples(v.each_ref().map(<[R; BATCH]>::as_slice)));
+    let vectors =
+        triples(d.each_ref().map(<[R; BATCH]>::as_slice)).zip(triples(v.each_ref().map(<[R; BATCH]>::as_slice)));
     for (((q, directed), (d, v)), [stiffness, damping, rest_length]) in
         q.iter_mut().zip(&mut directed).zip(vectors).zip(laws)
     {

@@ -155,12 +155,7 @@ pub struct Forces<'a, R> {
 
 /// a = g + f/m, or 0 where held: what is there is the force from below.
 #[inline(always)]
-fn divide_by_mass<R: Real>(
-    system: &System<'_, R>,
-    slots: &Range<u32>,
-    above: Columns<'_, R>,
-    tile: ColumnsMut<'_, R>,
-) {
+fn divide_by_mass<R: Real>(system: &System<'_, R>, slots: &Range<u32>, above: Columns<'_, R>, tile: ColumnsMut<'_, R>) {
     let [inverse_mass] = window([system.inverse_mass], slots.clone());
     for ((column, above), g) in tile.into_iter().zip(above).zip(system.gravity) {
         for ((a, above), w) in column.iter_mut().zip(above).zip(inverse_mass) {

@@ -2,9 +2,9 @@
 
 use super::clock::Clock;
 use super::layout::{ParticleColumns, SpringColumns};
-use super::plan::Plan;
 use super::order::order;
 use super::pieces::{Found, Ordered};
+use super::plan::Plan;
 use super::prepare::{list_incidences, partition};
 use super::storage::{Column, Fixed, Storage};
 use super::view::{Springs, State, System, View};
@@ -276,7 +276,19 @@ impl<R: Real, M: Storage> Container<R, M> {
         let force_density = springs.force_density.items_mut();
         let slot_of = slot_of.items();
         let end = *clock;
-        View { system, current, next, force_density, is_next_finite: false, front, epoch, changes: *changes, clock, end, slot_of }
+        View {
+            system,
+            current,
+            next,
+            force_density,
+            is_next_finite: false,
+            front,
+            epoch,
+            changes: *changes,
+            clock,
+            end,
+            slot_of,
+        }
     }
 
     /// Sorts particles into slots, lists their springs, and finds out what the world needs.

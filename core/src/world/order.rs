@@ -38,12 +38,7 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>) {
 }
 
 /// Puts the spring that each item of `room` names in that item's place, cycle by cycle.
-fn follow<R: Real>(
-    room: &mut [[Incidence; 2]],
-    ends: &mut [[u32; 2]],
-    number: &mut [u32],
-    mut columns: [&mut [R]; 3],
-) {
+fn follow<R: Real>(room: &mut [[Incidence; 2]], ends: &mut [[u32; 2]], number: &mut [u32], mut columns: [&mut [R]; 3]) {
     for start in 0..room.len() as u32 {
         if at(room, start)[1].spring == start {
             continue;

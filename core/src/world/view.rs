@@ -6,9 +6,9 @@ use super::pieces::Words;
 use super::plan::Plan;
 use crate::Real;
 use crate::lanes::Lanes;
-use crate::workers::Workers;
 use crate::types::{Plane, StepError};
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read};
+use crate::workers::Workers;
 
 /// Positions and velocities by slot.
 pub struct State<'a, R> {
