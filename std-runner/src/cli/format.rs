@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::draw::{Picture, Scenery};
 use crate::model::Model;
-use crate::record::{CsvRecorder, GifRecorder, NpzRecorder, PngRecorder, RecordError, Recorder, Sample};
+use crate::record::{BoxedRecorder, CsvRecorder, GifRecorder, NpzRecorder, PngRecorder, RecordError, Sample};
 use crate::scene::Settings;
 use crate::simulate::Start;
 
@@ -60,7 +60,7 @@ impl Format {
         self,
         path: &Path,
         recording: Recording<'_>,
-    ) -> Result<Box<dyn Recorder<R>>, RecordError> {
+    ) -> Result<BoxedRecorder<R>, RecordError> {
         let Recording { model, settings, start } = recording;
         let name = path.display().to_string();
         let file = || File::create(path).map_err(|source| RecordError { path: name.clone(), source });

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use super::format::{Format, Recording};
-use crate::record::{CsvRecorder, RecordError, Recorder, Sample};
+use crate::record::{BoxedRecorder, CsvRecorder, RecordError, Sample};
 
 /// What messages call it.
 pub(super) const STANDARD_OUTPUT: &str = "standard output";
@@ -67,7 +67,7 @@ impl Outputs {
     }
 
     /// Begins every recording. If one cannot be begun, the files that were made for the others are gone again.
-    pub(super) fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Vec<Box<dyn Recorder<R>>>, RecordError> {
+    pub(super) fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Vec<BoxedRecorder<R>>, RecordError> {
         let mut recorders = Vec::new();
         for (index, output) in self.0.iter().enumerate() {
             match output.open(recording) {
@@ -126,7 +126,7 @@ impl Output {
         Ok(Self::File { path: path.to_owned(), format, new })
     }
 
-    fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Box<dyn Recorder<R>>, RecordError> {
+    fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<BoxedRecorder<R>, RecordError> {
         match self {
             Self::Standard => Ok(Box::new(CsvRecorder::new(stdout(), STANDARD_OUTPUT.to_owned()))),
             Self::File { path, format, .. } => format.create(path, recording),
