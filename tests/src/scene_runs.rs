@@ -42,7 +42,8 @@ impl<R: Sample> Recorder<R> for Keep {
     }
 }
 
-struct Silent;
+/// Nobody who is told how far a run is.
+pub struct Silent;
 
 impl Progress for Silent {
     fn reached(&self, _time: f64, _duration: f64) {}
