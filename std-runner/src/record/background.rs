@@ -66,7 +66,7 @@ impl<R: Sample> Background<R> {
     /// # Errors
     /// When a recorder has failed; [`Background::finish`] says why.
     pub fn record(
-        &self,
+        &mut self,
         number: u64,
         time: f64,
         fill: impl FnOnce(&mut Vec<[R; 3]>, &mut Vec<[R; 3]>),
@@ -98,18 +98,22 @@ impl<R: Sample> Background<R> {
 }
 
 /// All that the thread does.
-fn write<R: Sample>(mut recorders: Vec<BoxedRecorder<R>>, mut queue: Taker<Held<R>>) -> Recorded {
+fn write<R: Sample>(mut recorders: Vec<BoxedRecorder<R>>, queue: Taker<Held<R>>) -> Recorded {
     let mut recorded = Recorded { frames: 0, took: Duration::ZERO, result: Ok(()) };
-    while recorded.result.is_ok()
-        && let Some(held) = queue.take()
-    {
+    let mut frames = Vec::new();
+    while recorded.result.is_ok() {
+        queue.take(&mut frames);
+        if frames.is_empty() {
+            break;
+        }
         let began = Instant::now();
-        let Held { number, time, position, velocity } = &held;
-        let frame = Frame { number: *number, time: *time, position, velocity };
-        recorded.result = recorders.iter_mut().try_for_each(|recorder| recorder.record(&frame));
+        recorded.result = frames.iter().try_for_each(|Held { number, time, position, velocity }| {
+            let frame = Frame { number: *number, time: *time, position, velocity };
+            recorders.iter_mut().try_for_each(|recorder| recorder.record(&frame))?;
+            recorded.frames += 1;
+            Ok(())
+        });
         recorded.took += began.elapsed();
-        recorded.frames += u64::from(recorded.result.is_ok());
-        queue.give_back(held);
     }
     // From here on nobody is to wait for it.
     drop(queue);

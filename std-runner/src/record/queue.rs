@@ -30,20 +30,18 @@ pub(super) fn queue<T: Default>(limit: usize) -> (Giver<T>, Taker<T>) {
         limit,
     };
     let queue = Arc::new(queue);
-    (Giver(Arc::clone(&queue)), Taker { queue, taken: VecDeque::new(), done: Vec::new() })
+    (Giver { queue: Arc::clone(&queue), spare: Vec::new() }, Taker(queue))
 }
 
 /// The end that items go in at. Dropping it closes the queue.
-pub(super) struct Giver<T>(Arc<Queue<T>>);
+pub(super) struct Giver<T> {
+    queue: Arc<Queue<T>>,
+    /// Empty items.
+    spare: Vec<T>,
+}
 
 /// The end that items come out of. Dropping it tells the giver that nobody takes them any more.
-pub(super) struct Taker<T> {
-    queue: Arc<Queue<T>>,
-    /// Taken from the queue, and not asked for yet.
-    taken: VecDeque<T>,
-    /// To go back with the next look at the queue.
-    done: Vec<T>,
-}
+pub(super) struct Taker<T>(Arc<Queue<T>>);
 
 /// Nobody takes items from the queue any more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +85,10 @@ impl<T> Queue<T> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    fn is_given_up(&self) -> bool {
+        self.given_up.load(Ordering::Relaxed)
+    }
+
     fn half(&self) -> usize {
         self.limit.div_ceil(2)
     }
@@ -94,8 +96,14 @@ impl<T> Queue<T> {
 
 impl<T: Default> Giver<T> {
     /// An item to be filled, as it was left when it was taken; waits where all are on their way.
-    pub(super) fn empty(&self) -> Result<T, Stopped> {
-        let queue = &*self.0;
+    pub(super) fn empty(&mut self) -> Result<T, Stopped> {
+        if self.is_stopped() {
+            return Err(Stopped);
+        }
+        if let Some(item) = self.spare.pop() {
+            return Ok(item);
+        }
+        let queue = &*self.queue;
         let mut state = queue.lock();
         if state.empty.is_empty() && state.made < queue.limit {
             state.made += 1;
@@ -103,16 +111,17 @@ impl<T: Default> Giver<T> {
         }
         if state.empty.is_empty() {
             state.giver = Rest::UntilHalf;
-            let waits = |state: &mut State<T>| state.empty.len() < queue.half() && !self.is_stopped();
+            let waits = |state: &mut State<T>| state.empty.len() < queue.half() && !queue.is_given_up();
             state = queue.emptied.wait_while(state, waits).unwrap_or_else(PoisonError::into_inner);
             state.giver = Rest::None;
         }
-        if self.is_stopped() { Err(Stopped) } else { state.empty.pop().ok_or(Stopped) }
+        self.spare.append(&mut state.empty);
+        self.spare.pop().ok_or(Stopped)
     }
 
     /// Puts a filled item into the queue.
     pub(super) fn give(&self, item: T) {
-        let queue = &*self.0;
+        let queue = &*self.queue;
         let mut state = queue.lock();
         state.full.push_back(item);
         let wake = match state.taker {
@@ -127,37 +136,25 @@ impl<T: Default> Giver<T> {
 
     /// Whether nobody takes items any more.
     pub(super) fn is_stopped(&self) -> bool {
-        self.0.given_up.load(Ordering::Relaxed)
+        self.queue.is_given_up()
     }
 }
 
 impl<T> Drop for Giver<T> {
     fn drop(&mut self) {
-        self.0.lock().closed = true;
-        self.0.filled.notify_one();
+        self.queue.lock().closed = true;
+        self.queue.filled.notify_one();
     }
 }
 
 impl<T> Taker<T> {
-    /// The next item; nothing once the queue is closed and empty.
-    pub(super) fn take(&mut self) -> Option<T> {
-        if self.taken.is_empty() {
-            self.look();
-        }
-        self.taken.pop_front()
-    }
-
-    /// Gives back an item to be filled again.
-    pub(super) fn give_back(&mut self, item: T) {
-        self.done.push(item);
-    }
-
-    /// Takes up to half of the items: the giver fills the other half meanwhile.
-    fn look(&mut self) {
-        let queue = &*self.queue;
+    /// Gives back what is in `items`, and takes up to half of what the queue holds, so that the giver fills the other
+    /// half meanwhile; nothing once the queue is closed and empty.
+    pub(super) fn take(&self, items: &mut Vec<T>) {
+        let queue = &*self.0;
         let mut state = queue.lock();
-        let had_some = !self.done.is_empty();
-        state.empty.append(&mut self.done);
+        let had_some = !items.is_empty();
+        state.empty.append(items);
         if state.giver == Rest::UntilHalf && state.empty.len() >= queue.half() {
             queue.emptied.notify_one();
         }
@@ -172,15 +169,15 @@ impl<T> Taker<T> {
         state = queue.filled.wait_while(state, waits).unwrap_or_else(PoisonError::into_inner);
         state.taker = Rest::None;
         let some = state.full.len().min(queue.half());
-        self.taken.extend(state.full.drain(..some));
+        items.extend(state.full.drain(..some));
     }
 }
 
 impl<T> Drop for Taker<T> {
     fn drop(&mut self) {
-        let state = self.queue.lock();
-        self.queue.given_up.store(true, Ordering::Relaxed);
+        let state = self.0.lock();
+        self.0.given_up.store(true, Ordering::Relaxed);
         drop(state);
-        self.queue.emptied.notify_one();
+        self.0.emptied.notify_one();
     }
 }

@@ -69,7 +69,7 @@ impl<R: Sample> Frames<R> {
 
     /// The first frame: the world before its first step.
     pub(super) fn begin(&mut self, view: &View<'_, R>) -> Result<(), Stopped> {
-        let Some(background) = &self.background else {
+        let Some(background) = &mut self.background else {
             self.next = 1;
             return Ok(());
         };
@@ -104,7 +104,7 @@ impl<R: Sample> Frames<R> {
 
     /// Takes the frames within a step, and the one at its end, after it is taken.
     pub(super) fn after_step(&mut self, view: &View<'_, R>, step: u64) -> Result<(), Stopped> {
-        let Some(background) = &self.background else {
+        let Some(background) = &mut self.background else {
             while self.schedule.is_before_end(self.next, step) {
                 self.next += 1;
             }
@@ -146,7 +146,7 @@ impl<R: Sample> Frames<R> {
 
 /// A frame of these particles, in the order of their numbers; those in exact flight are where they fly.
 fn hand_over<R: Sample>(
-    background: &Background<R>,
+    background: &mut Background<R>,
     number: u64,
     time: f64,
     moments: impl Iterator<Item = Moment<R>>,
