@@ -54,7 +54,7 @@ struct Double<A> {
 }
 
 impl<A: FnMut(u64) -> io::Result<()> + Send + 'static> Double<A> {
-    fn new(at_frame: A) -> (BoxedRecorder<f64>, Arc<Mutex<Vec<Told>>>) {
+    fn boxed(at_frame: A) -> (BoxedRecorder<f64>, Arc<Mutex<Vec<Told>>>) {
         let told = Arc::default();
         (Box::new(Self { told: Arc::clone(&told), at_frame }), told)
     }
@@ -101,7 +101,7 @@ fn stepping_goes_on_beside_recording_until_the_queue_is_full() {
     let (sender, steps) = channel();
     let seen = Arc::new(Mutex::new(Vec::new()));
     let (keep, mut steps) = (Arc::clone(&seen), Some(steps));
-    let (slow, told) = Double::new(move |_| {
+    let (slow, told) = Double::boxed(move |_| {
         if let Some(steps) = steps.take() {
             keep.lock().unwrap().push(wait_for(&steps, held - 1, LONG));
             // A step takes about a microsecond: unbounded, it would have been taken long before.
@@ -129,13 +129,13 @@ fn the_queue_is_bounded_by_bytes_too() {
 /// Of a slow recorder and a quick one, each gets every frame once, in order, with the same numbers, then the end.
 #[test]
 fn slow_recorders_get_every_frame_in_order() {
-    let (quick, expected) = Double::new(|_| Ok(()));
+    let (quick, expected) = Double::boxed(|_| Ok(()));
     spring(frame_a_step(300), vec![quick], &AtomicBool::new(false), &Silent).unwrap();
-    let (slow, slow_told) = Double::new(|number| {
+    let (slow, slow_told) = Double::boxed(|number| {
         std::thread::sleep(Duration::from_micros(if number % 7 == 0 { 3000 } else { 0 }));
         Ok(())
     });
-    let (quick, quick_told) = Double::new(|_| Ok(()));
+    let (quick, quick_told) = Double::boxed(|_| Ok(()));
     let summary = spring(frame_a_step(300), vec![slow, quick], &AtomicBool::new(false), &Silent).unwrap();
     let expected = expected.lock().unwrap();
     assert_eq!(summary.frames, 301);
@@ -152,8 +152,8 @@ fn a_failing_recorder_ends_the_run_with_its_error() {
         frame_a_step(1)(settings);
         (settings.duration, settings.frame_rate) = (STEP * 1e12, 0.01 / STEP);
     };
-    let (sound, sound_told) = Double::new(|_| Ok(()));
-    let (failing, failing_told) = Double::new(|number| match number {
+    let (sound, sound_told) = Double::boxed(|_| Ok(()));
+    let (failing, failing_told) = Double::boxed(|number| match number {
         7 => Err(io::Error::new(ErrorKind::StorageFull, "no room")),
         _ => Ok(()),
     });
@@ -174,7 +174,7 @@ fn a_failing_recorder_ends_the_run_with_its_error() {
 fn a_recorder_that_fails_behind_a_full_queue_ends_the_run() {
     let (sender, steps) = channel();
     let held = frames_held::<f64>(2) as u64;
-    let (failing, _) = Double::new(move |_| {
+    let (failing, _) = Double::boxed(move |_| {
         wait_for(&steps, held - 1, LONG).unwrap();
         let _ = wait_for(&steps, held, Duration::from_millis(50));
         Err(io::Error::new(ErrorKind::BrokenPipe, "nobody reads"))
@@ -187,7 +187,7 @@ fn a_recorder_that_fails_behind_a_full_queue_ends_the_run() {
 fn an_interrupted_run_has_every_frame_that_it_made() {
     let interrupted = Arc::new(AtomicBool::new(false));
     let interrupt = Arc::clone(&interrupted);
-    let (slow, told) = Double::new(move |number| {
+    let (slow, told) = Double::boxed(move |number| {
         interrupt.store(number >= 20, Ordering::Relaxed);
         std::thread::sleep(Duration::from_millis(1));
         Ok(())
@@ -203,7 +203,7 @@ fn an_interrupted_run_has_every_frame_that_it_made() {
 #[test]
 #[should_panic(expected = "the double panics at frame 3")]
 fn a_recorder_that_panics_is_not_waited_for() {
-    let (panicking, _) = Double::new(|number| {
+    let (panicking, _) = Double::boxed(|number| {
         assert!(number < 3, "the double panics at frame {number}");
         Ok(())
     });
