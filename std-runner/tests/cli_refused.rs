@@ -53,6 +53,31 @@ fn places_that_take_no_file() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn an_earlier_recording_is_kept_when_another_place_takes_no_file() {
+    let folder = Folder::with(ROPE);
+    for name in ["a.csv", "a.npz", "a.gif"] {
+        fs::write(folder.file(name), "earlier").unwrap();
+        folder.hooke(&["run", "scene.toml", "--out", name, "--out", "new.csv", "--out", "/proc/x.csv"]).exits(2);
+        assert_eq!(fs::read_to_string(folder.file(name)).unwrap(), "earlier");
+        assert!(!folder.file("new.csv").exists());
+        // Otherwise nothing of it is left, however long it was.
+        fs::write(folder.file(name), [b'x'; 1_000_000]).unwrap();
+        folder.hooke(&["run", "scene.toml", "--out", name]).exits(0);
+        assert!(fs::metadata(folder.file(name)).unwrap().len() < 900_000);
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_scene_without_an_end() {
+    let folder = Folder::empty();
+    std::os::unix::fs::symlink("/dev/zero", folder.file("zero.toml")).unwrap();
+    let answer = folder.hooke(&["run", "zero.toml"]).exits(2).prints_nothing();
+    answer.tells(&["zero.toml", "cannot read a scene here: it is longer than 256 MiB", "the file you mean"]);
+}
+
+#[test]
 fn scenes() {
     refused("gravty = [0.0, 0.0, 1.0]", &[], &["scene.toml:1:1", "gravty", "gravity"]);
     refused("duration = -1.0", &[], &["scene.toml:1:", "duration", "-1.0", "more than 0"]);

@@ -102,6 +102,16 @@ fn the_scale_widens_to_round_numbers_and_never_narrows() {
 }
 
 #[test]
+fn the_scale_says_nothing_of_springs_shorter_than_0() {
+    let mut scale = StrainScale::default();
+    for (strain, start) in [(0.01, -0.05), (0.9, -1.0), (4.0, -1.0), (1e9, -1.0)] {
+        scale.include(&[strain]);
+        assert_eq!(scale.start(), start, "{strain}");
+    }
+    assert_eq!(scale.end(), 10.0);
+}
+
+#[test]
 fn strain_colours_are_blue_grey_and_red() {
     let [compressed, rest, stretched] = [-1.0, 0.0, 1.0].map(strain_colour);
     assert!(compressed[2] > compressed[0] + 100);

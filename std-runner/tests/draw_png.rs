@@ -50,6 +50,31 @@ fn frames_are_numbered_and_whole() {
 }
 
 #[test]
+fn pictures_of_an_earlier_run_go_and_others_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cloth.png");
+    let scene = draw_scenes::cloth(3);
+    let position: Vec<[f64; 3]> = scene.model.particles.iter().map(|particle| particle.position).collect();
+    let record = |frames: u64| {
+        let mut recorder = PngRecorder::create(&path, picture(&scene)).unwrap();
+        for number in 0..frames {
+            recorder.record(&Frame { number, time: 0.0, position: &position, velocity: &[] }).unwrap();
+        }
+    };
+    record(5);
+    record(2);
+    assert_eq!(names(folder.path()), ["cloth-00000.png", "cloth-00001.png"]);
+    // One that was not recorded, and what is behind it, is somebody's.
+    fs::write(PngRecorder::numbered(&path, 2), "a photograph").unwrap();
+    fs::copy(PngRecorder::numbered(&path, 1), PngRecorder::numbered(&path, 3)).unwrap();
+    record(1);
+    assert_eq!(names(folder.path()), ["cloth-00000.png", "cloth-00002.png", "cloth-00003.png"]);
+    // Begun, but not recorded to, it leaves everything.
+    record(0);
+    assert_eq!(names(folder.path()).len(), 3);
+}
+
+#[test]
 fn names_without_an_ending_get_one() {
     assert_eq!(PngRecorder::numbered(Path::new("a/b"), 7), Path::new("a/b-00007.png"));
     assert_eq!(PngRecorder::numbered(Path::new("b.PNG"), 99_999), Path::new("b-99999.PNG"));

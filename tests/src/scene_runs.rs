@@ -1,11 +1,10 @@
 //! Runs of scene files, with their frames kept.
 
-use std::cell::RefCell;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex};
 
-use hooke_runner::record::{Frame, RecordError, Recorder, Sample};
+use hooke_runner::record::{BoxedRecorder, Frame, RecordError, Recorder, Sample};
 use hooke_runner::scene::{Scene, Settings};
 use hooke_runner::simulate::{Options, Progress, Summary, run};
 
@@ -28,13 +27,13 @@ pub fn shipped() -> Vec<PathBuf> {
 /// A frame as it was recorded: its time (s) and the state, in `f64`.
 pub type Recorded = (f64, Moment);
 
-struct Keep(Rc<RefCell<Vec<Recorded>>>);
+struct Keep(Arc<Mutex<Vec<Recorded>>>);
 
 impl<R: Sample> Recorder<R> for Keep {
     fn record(&mut self, frame: &Frame<'_, R>) -> Result<(), RecordError> {
         let vectors = |vectors: &[[R; 3]]| vectors.iter().map(|vector| vector.map(R::to_f64)).collect();
         let moment = Moment { position: vectors(frame.position), velocity: vectors(frame.velocity) };
-        self.0.borrow_mut().push((frame.time, moment));
+        self.0.lock().expect("nobody panics with it").push((frame.time, moment));
         Ok(())
     }
 
@@ -43,7 +42,8 @@ impl<R: Sample> Recorder<R> for Keep {
     }
 }
 
-struct Silent;
+/// Nobody who is told how far a run is.
+pub struct Silent;
 
 impl Progress for Silent {
     fn reached(&self, _time: f64, _duration: f64) {}
@@ -58,12 +58,12 @@ pub fn run_scene<R: Sample>(path: &Path, change: impl FnOnce(&mut Settings)) -> 
     let scene = Scene::load(path).expect("a sound scene");
     let mut settings = scene.settings().clone();
     change(&mut settings);
-    let frames = Rc::new(RefCell::new(Vec::new()));
+    let frames = Arc::new(Mutex::new(Vec::new()));
     let interrupted = AtomicBool::new(false);
     let options = Options { ledger: true, interrupted: &interrupted, progress: &Silent };
-    let recorders = |_: &_| Ok(vec![Box::new(Keep(Rc::clone(&frames))) as Box<dyn Recorder<R>>]);
+    let recorders = |_: &_| Ok(vec![Box::new(Keep(Arc::clone(&frames))) as BoxedRecorder<R>]);
     let model = scene.model().expect("a scene that fits");
     let summary = run::<R>(&model, &settings, recorders, &options).expect("a run");
-    let frames = frames.take();
+    let frames = std::mem::take(&mut *frames.lock().expect("nobody panics with it"));
     (summary, frames)
 }

@@ -1,11 +1,11 @@
 //! The formats that frames are recorded in.
 
-use std::fs::File;
+use std::fs::{File, OpenOptions};
 use std::path::Path;
 
 use crate::draw::{Picture, Scenery};
 use crate::model::Model;
-use crate::record::{CsvRecorder, GifRecorder, NpzRecorder, PngRecorder, RecordError, Recorder, Sample};
+use crate::record::{BoxedRecorder, CsvRecorder, GifRecorder, NpzRecorder, PngRecorder, RecordError, Sample};
 use crate::scene::Settings;
 use crate::simulate::Start;
 
@@ -37,6 +37,39 @@ impl Recording<'_> {
     }
 }
 
+/// Begins a recording: what was there before is gone.
+pub(super) type Begin<'a, R> = Box<dyn FnOnce() -> Result<BoxedRecorder<R>, RecordError> + 'a>;
+
+/// A file that still has what it had.
+struct Opened {
+    file: File,
+    name: String,
+}
+
+impl Opened {
+    fn at(path: &Path) -> Result<Self, RecordError> {
+        let name = path.display().to_string();
+        match OpenOptions::new().write(true).create(true).truncate(false).open(path) {
+            Ok(file) => Ok(Self { file, name }),
+            Err(source) => Err(RecordError { path: name, source }),
+        }
+    }
+
+    /// Empties it for a recorder.
+    fn empty<R>(
+        self,
+        begin: impl FnOnce(File, String) -> Result<BoxedRecorder<R>, RecordError>,
+    ) -> Result<BoxedRecorder<R>, RecordError> {
+        let Self { file, name } = self;
+        // A pipe or a device keeps nothing, and cannot be emptied.
+        let emptied = file.metadata().and_then(|found| if found.is_file() { file.set_len(0) } else { Ok(()) });
+        match emptied {
+            Ok(()) => begin(file, name),
+            Err(source) => Err(RecordError { path: name, source }),
+        }
+    }
+}
+
 impl Format {
     pub(super) const ALL: [Self; 4] = [Self::Csv, Self::Npz, Self::Gif, Self::Png];
 
@@ -55,22 +88,38 @@ impl Format {
         Self::ALL.into_iter().find(|format| format.ending() == ending)
     }
 
-    /// Begins a recording in a file.
-    pub(super) fn create<R: Sample>(
+    /// Opens what a recording is to go to, and leaves what is there until it begins.
+    pub(super) fn open<'a, R: Sample>(
         self,
         path: &Path,
-        recording: Recording<'_>,
-    ) -> Result<Box<dyn Recorder<R>>, RecordError> {
+        recording: Recording<'a>,
+    ) -> Result<Begin<'a, R>, RecordError> {
         let Recording { model, settings, start } = recording;
-        let name = path.display().to_string();
-        let file = || File::create(path).map_err(|source| RecordError { path: name.clone(), source });
+        let file = || Opened::at(path);
         Ok(match self {
-            Self::Csv => Box::new(CsvRecorder::new(file()?, name)),
-            Self::Gif => Box::new(GifRecorder::new(file()?, name, recording.picture(), settings.frame_rate)),
-            Self::Png => Box::new(PngRecorder::create(path, recording.picture())?),
+            Self::Csv => {
+                let file = file()?;
+                Box::new(|| file.empty(|file, name| Ok(Box::new(CsvRecorder::new(file, name)))))
+            }
+            Self::Gif => {
+                let (file, picture) = (file()?, recording.picture());
+                Box::new(|| {
+                    file.empty(|file, name| Ok(Box::new(GifRecorder::new(file, name, picture, settings.frame_rate))))
+                })
+            }
+            Self::Png => {
+                let recorder = PngRecorder::create(path, recording.picture())?;
+                Box::new(|| Ok(Box::new(recorder)))
+            }
             Self::Npz => {
+                let file = file()?;
                 let springs: Vec<[u32; 2]> = model.springs.iter().map(|spring| spring.between).collect();
-                Box::new(NpzRecorder::<R>::create(path, model.particles.len(), &springs, start.schedule.frames())?)
+                let (particles, frames) = (model.particles.len(), start.schedule.frames());
+                Box::new(move || {
+                    file.empty(|file, name| {
+                        Ok(Box::new(NpzRecorder::<R>::begin(file, name, particles, &springs, frames)?))
+                    })
+                })
             }
         })
     }

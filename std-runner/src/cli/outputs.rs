@@ -5,8 +5,8 @@ use std::io::stdout;
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
-use super::format::{Format, Recording};
-use crate::record::{CsvRecorder, RecordError, Recorder, Sample};
+use super::format::{Begin, Format, Recording};
+use crate::record::{BoxedRecorder, CsvRecorder, RecordError, Sample};
 
 /// What messages call it.
 pub(super) const STANDARD_OUTPUT: &str = "standard output";
@@ -66,20 +66,25 @@ impl Outputs {
         self.0.iter().map(bytes).sum()
     }
 
-    /// Begins every recording. If one cannot be begun, the files that were made for the others are gone again.
-    pub(super) fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Vec<Box<dyn Recorder<R>>>, RecordError> {
-        let mut recorders = Vec::new();
+    /// Begins every recording, once all can be written to. If one cannot, the files that were made for the others are
+    /// gone again, and those that were there before are as they were.
+    pub(super) fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Vec<BoxedRecorder<R>>, RecordError> {
+        let mut opened = Vec::new();
         for (index, output) in self.0.iter().enumerate() {
             match output.open(recording) {
-                Ok(recorder) => recorders.push(recorder),
+                Ok(begin) => opened.push(begin),
                 Err(error) => {
-                    drop(recorders);
+                    drop(opened);
                     self.0.iter().take(index + 1).for_each(Output::remove_if_new);
                     return Err(error);
                 }
             }
         }
-        Ok(recorders)
+        let begun = opened.into_iter().map(|begin| begin()).collect::<Result<Vec<_>, _>>();
+        if begun.is_err() {
+            self.0.iter().for_each(Output::remove_if_new);
+        }
+        begun
     }
 
     /// The files, for the summary.
@@ -126,10 +131,10 @@ impl Output {
         Ok(Self::File { path: path.to_owned(), format, new })
     }
 
-    fn open<R: Sample>(&self, recording: Recording<'_>) -> Result<Box<dyn Recorder<R>>, RecordError> {
+    fn open<'a, R: Sample>(&self, recording: Recording<'a>) -> Result<Begin<'a, R>, RecordError> {
         match self {
-            Self::Standard => Ok(Box::new(CsvRecorder::new(stdout(), STANDARD_OUTPUT.to_owned()))),
-            Self::File { path, format, .. } => format.create(path, recording),
+            Self::Standard => Ok(Box::new(|| Ok(Box::new(CsvRecorder::new(stdout(), STANDARD_OUTPUT.to_owned()))))),
+            Self::File { path, format, .. } => format.open(path, recording),
         }
     }
 

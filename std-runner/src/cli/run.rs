@@ -56,6 +56,7 @@ fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Ou
         RunError::Build(error) => Err(out_of_range(&error)),
         RunError::Endless(start) => Err(endless(settings, &start)),
         RunError::Begin(error) => Err(Failure::input(error.to_string(), "choose another place to record to")),
+        RunError::Thread(_) => Err(Failure::failed(error.to_string(), "end other programs, or run it without --out")),
         // Who reads the rows has seen enough.
         RunError::Record { error, .. }
             if outputs.only_to_standard_output() && error.source.kind() == ErrorKind::BrokenPipe =>

@@ -69,6 +69,12 @@ impl StrainScale {
         self.end
     }
 
+    /// The strain at the scale's other end: no spring gets shorter than 0, a strain of -1.
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        -self.end.min(1.0)
+    }
+
     /// Whether some spring of the last frame is beyond the scale's end; it has the end's colour.
     #[must_use]
     pub fn is_passed(&self) -> bool {

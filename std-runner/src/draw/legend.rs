@@ -48,19 +48,23 @@ impl Legend {
         let long = (150.0 * scale).min(width as f32 * 0.5);
         let left = width as f32 - 30.0 * scale - long;
         let top = height as f32 - 34.0 * scale;
+        // Each half has a scale of its own, as far as strains go; the colours are of one.
+        let shortest = (-strain.start() / strain.end()) as f32;
         for row in 0..(8.0 * scale).max(2.0) as usize {
             for column in 0..long as usize {
-                let colour = strain_colour((column as f32 + 0.5) / long * 2.0 - 1.0);
+                let part = (column as f32 + 0.5) / long * 2.0 - 1.0;
+                let colour = strain_colour(if part < 0.0 { part * shortest } else { part });
                 let (x, y) = (left as usize + column, top as usize + row);
                 if x < width && y < height {
                     canvas.cover(y * width + x, colour, 1.0);
                 }
             }
         }
-        let percent = strain.end() * 100.0;
+        let [least, most] = [-strain.start(), strain.end()].map(|strain| strain * 100.0);
         let baseline = height as f32 - 11.0 * scale;
-        let (below, above) = if strain.is_passed() { ("≤ ", "≥ ") } else { ("", "") };
-        let labels = [format!("{below}−{percent} %"), "0".to_owned(), format!("{above}+{percent} %")];
+        let above = if strain.is_passed() { "≥ " } else { "" };
+        let below = if strain.is_passed() && least < 100.0 { "≤ " } else { "" };
+        let labels = [format!("{below}−{least} %"), "0".to_owned(), format!("{above}+{most} %")];
         for (place, label) in labels.iter().enumerate() {
             let at = [left + long * place as f32 * 0.5, baseline];
             self.typeface.write(canvas, label, at, 14.0 * scale, Anchor::Middle, INK);

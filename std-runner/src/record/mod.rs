@@ -2,17 +2,21 @@
 
 use hooke::Real;
 
+mod background;
 mod csv;
 mod decimal;
 mod gif;
 mod npz;
 mod png;
+mod queue;
 mod sample;
 
+pub use background::{Background, Recorded, frames_held};
 pub use csv::CsvRecorder;
 pub use gif::GifRecorder;
 pub use npz::NpzRecorder;
 pub use png::PngRecorder;
+pub use queue::Stopped;
 pub use sample::{Element, Sample};
 
 /// One moment of a run.
@@ -42,6 +46,9 @@ pub trait Recorder<R: Real> {
     /// When it can't be written.
     fn finish(self: Box<Self>) -> Result<(), RecordError>;
 }
+
+/// A recorder that can work on a thread of its own.
+pub type BoxedRecorder<R> = Box<dyn Recorder<R> + Send>;
 
 /// A frame could not be written.
 #[derive(Debug, thiserror::Error)]

@@ -1,6 +1,7 @@
 //! A model stepped through its duration, frame by frame.
 
 mod build;
+mod frames;
 mod heap;
 mod interpolate;
 mod method;

@@ -6,14 +6,14 @@ use std::time::{Duration, Instant};
 use hooke::{Ledger, Observer, Plan, Real, StabilityBound, StepError, StepReport, View};
 
 use super::build::{BuildError, HeapWorld, world};
-use super::interpolate::{Moment, hermite};
+use super::frames::Frames;
 use super::method::{AnyResponse, AnyStepper};
 use super::schedule::{MOST, Schedule};
 use super::summary::{Ending, Summary};
 use super::time_step::choose_time_step;
 use super::tracks::Tracks;
 use crate::model::Model;
-use crate::record::{Frame, RecordError, Recorder, Sample};
+use crate::record::{BoxedRecorder, RecordError, Sample, Stopped};
 use crate::scene::Settings;
 
 /// What a run does besides stepping.
@@ -44,6 +44,9 @@ pub enum RunError {
     /// A recording could not be begun. Nothing has been stepped.
     #[error(transparent)]
     Begin(RecordError),
+    /// The system has no thread to record on. Nothing has been stepped.
+    #[error("no thread can be started to record on: {0}")]
+    Thread(std::io::Error),
     /// A frame could not be written.
     #[error("{error}")]
     Record {
@@ -85,15 +88,16 @@ impl Start {
     }
 }
 
-/// Steps a model through its duration and records its frames, as they are made, to what `begin` opens for them.
+/// Steps a model through its duration and records its frames to what `begin` opens for them: in order, on a thread of its
+/// own, while further steps are taken. All that were made are recorded when this returns.
 ///
 /// # Errors
-/// If the model does not fit the precision `R`, the run has no end, or a frame cannot be written. That a simulation diverges is not an error
-/// here: the summary tells, and the frames up to then are recorded.
+/// If the model does not fit the precision `R`, the run has no end, or a frame cannot be written, which ends the run soon
+/// after. That a simulation diverges is not an error here: the summary tells, and the frames up to then are recorded.
 pub fn run<R: Sample>(
     model: &Model,
     settings: &Settings,
-    begin: impl FnOnce(&Start) -> Result<Vec<Box<dyn Recorder<R>>>, RecordError>,
+    begin: impl FnOnce(&Start) -> Result<Vec<BoxedRecorder<R>>, RecordError>,
     options: &Options<'_>,
 ) -> Result<Summary, RunError> {
     let mut world = world::<R>(model, settings.gravity)?;
@@ -102,10 +106,9 @@ pub fn run<R: Sample>(
     if !start.schedule.is_countable() {
         return Err(RunError::Endless(Box::new(start)));
     }
+    let recorders = begin(&start).map_err(RunError::Begin)?;
     let mut run = Run {
-        recorders: begin(&start).map_err(RunError::Begin)?,
-        position: Vec::with_capacity(model.particles.len()),
-        velocity: Vec::with_capacity(model.particles.len()),
+        frames: Frames::new(start.schedule, recorders, model.particles.len()).map_err(RunError::Thread)?,
         summary: summary(start),
         method: Method {
             stepper: AnyStepper::named(settings.stepper, settings.tolerance),
@@ -114,11 +117,14 @@ pub fn run<R: Sample>(
         },
     };
     let began = Instant::now();
-    let stepped = run.steps(&mut world, &tracks, options);
-    let finished = run.recorders.into_iter().try_for_each(Recorder::finish);
-    let frames = run.summary.frames;
-    stepped.and(finished).map_err(|error| RunError::Record { error, frames })?;
-    run.summary.stepping = began.elapsed().saturating_sub(run.summary.recording);
+    // Where recording has stopped, what became of the frames says why.
+    let _ = run.steps(&mut world, &tracks, options);
+    let taken = run.frames.finish();
+    taken.result.map_err(|error| RunError::Record { error, frames: taken.frames })?;
+    run.summary.frames = taken.frames;
+    run.summary.waiting = taken.waiting;
+    run.summary.recording = taken.recording;
+    run.summary.stepping = began.elapsed().saturating_sub(taken.waiting);
     let view = world.view();
     run.summary.time = view.time();
     run.summary.balance = run.method.ledger.map(|ledger| ledger.balance(&view));
@@ -137,6 +143,7 @@ fn summary(start: Start) -> Summary {
         time_step: start.time_step,
         choices: Vec::new(),
         stepping: Duration::ZERO,
+        waiting: Duration::ZERO,
         recording: Duration::ZERO,
         balance: None,
         hits: 0,
@@ -157,30 +164,24 @@ struct Method<R: Sample> {
 }
 
 struct Run<R: Sample> {
-    recorders: Vec<Box<dyn Recorder<R>>>,
-    /// Of the frame that is being recorded, by particle number.
-    position: Vec<[R; 3]>,
-    velocity: Vec<[R; 3]>,
+    frames: Frames<R>,
     summary: Summary,
     method: Method<R>,
 }
 
 impl<R: Sample> Run<R> {
-    fn steps(
-        &mut self,
-        world: &mut HeapWorld<R>,
-        tracks: &Tracks<'_>,
-        options: &Options<'_>,
-    ) -> Result<(), RecordError> {
+    fn steps(&mut self, world: &mut HeapWorld<R>, tracks: &Tracks<'_>, options: &Options<'_>) -> Result<(), Stopped> {
         let schedule = self.summary.schedule;
-        self.record(0.0, moments(&world.view()))?;
+        self.frames.begin(&world.view())?;
         for step in 1..=schedule.steps() {
             if options.interrupted.load(Ordering::Relaxed) {
                 self.summary.ending = Ending::Interrupted;
                 return Ok(());
             }
-            let early = self.frames_before_end(world, step);
-            let before: Vec<Moment<R>> = if early.is_empty() { Vec::new() } else { moments(&world.view()).collect() };
+            if self.frames.have_stopped() {
+                return Err(Stopped);
+            }
+            self.frames.before_step(world, &mut self.method.stepper, step);
             if let Err(error) = self.step(world, tracks, step) {
                 self.summary.ending = match error {
                     StepError::NonFinite { particle } => Ending::NonFinite { particle },
@@ -189,40 +190,10 @@ impl<R: Sample> Run<R> {
                 return Ok(());
             }
             self.summary.steps += 1;
-            let (start, end) = (schedule.step_end(step - 1), schedule.step_end(step));
-            for Early { time, free } in early {
-                let part = (time - start) / (end - start);
-                let mut between: Vec<Moment<R>> =
-                    before.iter().zip(moments(&world.view())).map(|(a, b)| hermite(*a, b, end - start, part)).collect();
-                for (particle, moment) in free {
-                    if let Some(place) = between.get_mut(particle as usize) {
-                        *place = moment;
-                    }
-                }
-                self.record(time, between.into_iter())?;
-            }
-            let next = self.summary.frames;
-            if next < schedule.frames() && schedule.is_at_end(next, step) {
-                self.record(schedule.frame_time(next), moments(&world.view()))?;
-            }
-            options.progress.reached(end, schedule.step_end(schedule.steps()));
+            self.frames.after_step(&world.view(), step)?;
+            options.progress.reached(schedule.step_end(step), schedule.step_end(schedule.steps()));
         }
         Ok(())
-    }
-
-    /// The frames that are taken within a step, with what flies exactly as it will be at them.
-    fn frames_before_end(&mut self, world: &mut HeapWorld<R>, step: u64) -> Vec<Early<R>> {
-        let schedule = self.summary.schedule;
-        let frames = (self.summary.frames..schedule.frames()).take_while(|frame| schedule.is_before_end(*frame, step));
-        let stepper = &mut self.method.stepper;
-        let early = frames.map(|frame| {
-            let time = schedule.frame_time(frame);
-            let mut view = world.view();
-            let free = view.free_at(stepper, time);
-            let free = free.map(|free| free.map(|(number, x, v)| (number, (x.into(), v.into()))).collect());
-            Early { time, free: free.unwrap_or_default() }
-        });
-        early.collect()
     }
 
     /// One step of the schedule, in parts if keys of tracks lie within it.
@@ -259,26 +230,6 @@ impl<R: Sample> Run<R> {
         summary.unconverged += u64::from(!report.converged);
         summary.residual = summary.residual.max(report.residual);
     }
-
-    fn record(&mut self, time: f64, moments: impl Iterator<Item = Moment<R>>) -> Result<(), RecordError> {
-        let number = self.summary.frames;
-        if self.recorders.is_empty() {
-            self.summary.frames += 1;
-            return Ok(());
-        }
-        let began = Instant::now();
-        self.position.clear();
-        self.velocity.clear();
-        for (position, velocity) in moments {
-            self.position.push(position);
-            self.velocity.push(velocity);
-        }
-        let frame = Frame { number, time, position: &self.position, velocity: &self.velocity };
-        let recorded = self.recorders.iter_mut().try_for_each(|recorder| recorder.record(&frame));
-        self.summary.recording += began.elapsed();
-        self.summary.frames += u64::from(recorded.is_ok());
-        recorded
-    }
 }
 
 impl<R: Sample> Method<R> {
@@ -298,16 +249,4 @@ impl<R: Sample> Method<R> {
             None => take(view, &mut self.stepper, &mut self.response, length, end, &mut ()),
         }
     }
-}
-
-/// A frame within a step.
-struct Early<R> {
-    time: f64,
-    /// The particles in exact flight, by number.
-    free: Vec<(u32, Moment<R>)>,
-}
-
-/// All particles, in the order of their numbers.
-fn moments<R: Sample>(view: &View<'_, R>) -> impl Iterator<Item = Moment<R>> {
-    view.states().map(|(position, velocity)| (position.into(), velocity.into()))
 }

@@ -78,16 +78,16 @@ impl Schedule {
         if frame + 1 >= self.frames { self.duration } else { frame as f64 / self.frame_rate }
     }
 
-    /// Whether a frame is taken before the end of a step: not at it, up to rounding.
+    /// Whether there is such a frame before the end of a step: not at it, up to rounding.
     #[must_use]
     pub fn is_before_end(&self, frame: u64, step: u64) -> bool {
-        self.frame_time(frame) < self.step_end(step) - SAME * self.step_length(step)
+        frame < self.frames && self.frame_time(frame) < self.step_end(step) - SAME * self.step_length(step)
     }
 
-    /// Whether a frame is taken at the end of a step, up to rounding.
+    /// Whether there is such a frame at the end of a step, up to rounding.
     #[must_use]
     pub fn is_at_end(&self, frame: u64, step: u64) -> bool {
-        (self.frame_time(frame) - self.step_end(step)).abs() <= SAME * self.step_length(step)
+        frame < self.frames && (self.frame_time(frame) - self.step_end(step)).abs() <= SAME * self.step_length(step)
     }
 }
 

@@ -43,9 +43,11 @@ pub struct Summary {
     pub time_step: Option<f64>,
     /// What `auto` chose, each choice that it made in the order in which it made them first.
     pub choices: Vec<Choice>,
-    /// Time spent stepping, without recording.
+    /// Time spent stepping.
     pub stepping: Duration,
-    /// Time spent recording.
+    /// Time that stepping stood still for frames: to copy them, for room to put them, and for the last ones to be written.
+    pub waiting: Duration,
+    /// Time that recorders took, beside stepping.
     pub recording: Duration,
     /// The energy ledger, if it was kept.
     pub balance: Option<Balance>,

@@ -75,7 +75,8 @@ fn wall_time(summary: &Summary) -> String {
     let recording = if summary.recording.is_zero() {
         String::new()
     } else {
-        format!(", recording {}", seconds(summary.recording.as_secs_f64()))
+        let [waiting, recording] = [summary.waiting, summary.recording].map(|time| seconds(time.as_secs_f64()));
+        format!(", waiting for frames {waiting}, recording them {recording} meanwhile")
     };
     let each = summary
         .nanoseconds_per_spring_step()

@@ -1,7 +1,8 @@
 //! A scene file as it was read, kept to point at its lines.
 
 use std::fmt;
-use std::fs;
+use std::fs::File;
+use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -93,12 +94,18 @@ impl Source {
     }
 }
 
+/// No scene or mesh is longer than this, bytes: what is read on and on is none.
+const LONGEST: u64 = 1 << 28;
+
 /// The text of a file, or what is wrong with it and what to do; `what` says what the file should be.
 pub(in crate::scene) fn read_text(path: &Path, what: &str) -> Result<Arc<str>, (String, String)> {
-    let bytes = fs::read(path).map_err(|error| {
+    let bytes = read(path).map_err(|error| {
         let remedy = match error.kind() {
-            std::io::ErrorKind::NotFound => "check the spelling, and the folder it is looked for in",
+            io::ErrorKind::NotFound => "check the spelling, and the folder it is looked for in",
             _ if path.is_dir() => "name a file, not a folder",
+            io::ErrorKind::FileTooLarge => {
+                "check that it is the file you mean; make large scenes of ropes, cloths, blocks and clouds"
+            }
             _ => "check that the file may be read",
         };
         (format!("cannot read {what} here: {error}"), remedy.to_owned())
@@ -110,6 +117,19 @@ pub(in crate::scene) fn read_text(path: &Path, what: &str) -> Result<Arc<str>, (
     })?;
     // Some editors begin a file with a mark that no format here knows.
     Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).into())
+}
+
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let too_long = || io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {} MiB", LONGEST >> 20));
+    // What a device or a pipe holds is only known once it has been read.
+    let length = file.metadata()?.len();
+    if length > LONGEST {
+        return Err(too_long());
+    }
+    let mut bytes = Vec::with_capacity(length as usize);
+    file.take(LONGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LONGEST { Err(too_long()) } else { Ok(bytes) }
 }
 
 impl Refusal {

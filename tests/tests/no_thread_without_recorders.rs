@@ -1,0 +1,41 @@
+//! A run that records nothing starts no thread.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+#![cfg(target_os = "linux")]
+
+use std::cell::Cell;
+use std::fs;
+use std::sync::atomic::AtomicBool;
+
+use hooke_runner::record::{BoxedRecorder, CsvRecorder};
+use hooke_runner::scene::Scene;
+use hooke_runner::simulate::{Options, Progress, run};
+use hooke_tests::scene_runs::shipped;
+
+/// Counts the threads of this process at a step.
+struct Threads(Cell<usize>);
+
+impl Progress for Threads {
+    fn reached(&self, _time: f64, _duration: f64) {
+        if self.0.get() == 0 {
+            self.0.set(fs::read_dir("/proc/self/task").unwrap().count());
+        }
+    }
+}
+
+fn threads(recorders: Vec<BoxedRecorder<f64>>) -> usize {
+    let path = shipped().into_iter().find(|path| path.ends_with("vertical-spring.toml")).unwrap();
+    let scene = Scene::load(&path).unwrap();
+    let progress = Threads(Cell::new(0));
+    let interrupted = AtomicBool::new(false);
+    let options = Options { ledger: false, interrupted: &interrupted, progress: &progress };
+    run::<f64>(&scene.model().unwrap(), scene.settings(), |_| Ok(recorders), &options).unwrap();
+    progress.0.get()
+}
+
+#[test]
+fn no_thread_without_recorders() {
+    // This test is alone in its process, so nothing else starts or ends a thread meanwhile.
+    let before = fs::read_dir("/proc/self/task").unwrap().count();
+    assert_eq!(threads(Vec::new()), before);
+    assert_eq!(threads(vec![Box::new(CsvRecorder::new(std::io::sink(), "nowhere".into()))]), before + 1);
+}
