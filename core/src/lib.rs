@@ -47,7 +47,11 @@
 //!
 //! # Features
 //!
-//! - `std`: square roots from the standard library, which vectorise. Without it they come from libm, to the same bits.
+//! - `std`: square roots from the standard library. Without it they are the machine's own all the same, to the same bits,
+//!   on x86-64, AArch64, WebAssembly and, in `f32`, on Arm with a floating-point unit (`eabihf`); elsewhere they are
+//!   libm's.
+//!
+//! On WebAssembly, build with `-C target-feature=+simd128`: without it roots are `f32.sqrt` too, one at a time.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod collisions;
@@ -59,6 +63,7 @@ mod reach;
 mod real;
 mod roles;
 mod solve;
+mod square_root;
 mod stability;
 mod step;
 mod steppers;

@@ -3,6 +3,8 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+use crate::square_root;
+
 mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
@@ -80,11 +82,7 @@ macro_rules! real {
 
             #[inline(always)]
             fn sqrt(self) -> Self {
-                // The standard library's is one instruction that a loop can vectorise; libm's is the same bits.
-                #[cfg(feature = "std")]
-                return $type::sqrt(self);
-                #[cfg(not(feature = "std"))]
-                return $square_root(self);
+                $square_root(self)
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -106,5 +104,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, glam::Vec3, libm::sqrtf);
-real!(f64, glam::DVec3, libm::sqrt);
+real!(f32, glam::Vec3, square_root::single);
+real!(f64, glam::DVec3, square_root::double);
