@@ -69,6 +69,7 @@ pub use collisions::{Project, Reflect, TimeOfImpact};
 pub use ledger::{Balance, Ledger};
 pub use real::Real;
 pub use roles::{Observer, Response, Stepper};
+pub use solve::{Elimination, LinearSolver};
 pub use stability::StabilityBound;
 pub use steppers::{
     Auto, Choice, Chosen, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, VelocityVerlet,

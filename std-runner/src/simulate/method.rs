@@ -8,6 +8,9 @@ use hooke::{
 use super::heap::Heap;
 use crate::scene::{CollisionForm, StepperName};
 
+/// The blocks of a factor that implicit steppers may have for each spring: enough for cloths of 64 x 64.
+pub const FILL: usize = 16;
+
 /// Any of the steppers.
 #[expect(clippy::large_enum_variant, reason = "there is one in a run")]
 pub enum AnyStepper<R: Real> {
@@ -16,13 +19,13 @@ pub enum AnyStepper<R: Real> {
     /// `semi-implicit-euler`
     SemiImplicitEuler(SemiImplicitEuler),
     /// `implicit-euler`
-    ImplicitEuler(ImplicitEuler<R, Heap>),
+    ImplicitEuler(ImplicitEuler<R, Heap, FILL>),
     /// `implicit-euler-linearised`
-    ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap>),
+    ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap, FILL>),
     /// `velocity-verlet`
     VelocityVerlet(VelocityVerlet<R, Heap>),
     /// `auto`
-    Auto(Auto<R, Heap>),
+    Auto(Auto<R, Heap, FILL>),
 }
 
 impl<R: Real> AnyStepper<R> {
