@@ -1,8 +1,9 @@
 //! The stepper and the response that a scene names.
 
 use hooke::{
-    Auto, Choice, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, Observer, Plan, Project, Real, Reflect,
-    Response, SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, VelocityVerlet, View,
+    Auto, Choice, Chosen, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, LinearSolver, Observer, Plan,
+    Project, Real, Reflect, Response, SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, VelocityVerlet,
+    View,
 };
 
 use super::heap::Heap;
@@ -50,6 +51,26 @@ impl<R: Real> AnyStepper<R> {
         match self {
             Self::Auto(auto) => auto.choice(),
             _ => None,
+        }
+    }
+
+    /// What solves the linear systems of steps of `dt` seconds, and why; nothing for explicit steppers.
+    ///
+    /// # Errors
+    /// Never, on the heap.
+    pub fn linear_solver(&mut self, view: &View<'_, R>, dt: f64) -> Result<Option<LinearSolver>, Full> {
+        let dt = R::from_f64(dt);
+        match self {
+            Self::ImplicitEuler(stepper) => stepper.linear_solver(view, dt).map(Some),
+            Self::ImplicitEulerLinearised(stepper) => stepper.linear_solver(view, dt).map(Some),
+            // It steps explicitly where it can.
+            Self::Auto(stepper) => match view.stability() {
+                bound if Choice::of(bound, dt.to_f64()).chosen == Chosen::ImplicitEuler => {
+                    stepper.linear_solver(view, dt).map(Some)
+                }
+                _ => Ok(None),
+            },
+            _ => Ok(None),
         }
     }
 }
