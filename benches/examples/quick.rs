@@ -8,7 +8,11 @@ use std::time::Instant;
 fn main() {
     for path in std::env::args().skip(1) {
         let mesh = path.strip_prefix("mesh:").map(|n| hooke_benches::mesh::irregular(n.parse().unwrap()));
-        let scene = if mesh.is_some() { Scene::load(std::path::Path::new("benches/scenes/cloth-32.toml")).unwrap() } else { Scene::load(std::path::Path::new(&path)).unwrap() };
+        let scene = if mesh.is_some() {
+            Scene::load(std::path::Path::new("benches/scenes/cloth-32.toml")).unwrap()
+        } else {
+            Scene::load(std::path::Path::new(&path)).unwrap()
+        };
         let model = mesh.unwrap_or_else(|| scene.model().unwrap());
         let g = scene.settings().gravity;
         let n = model.springs.len().max(1);

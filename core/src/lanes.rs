@@ -3,7 +3,10 @@
 //!
 //! The bodies are plain loops over slices that the compiler vectorises. That leaves the language's own rounding rules
 //! in force, so every set gives the same bits without a line that sees to it.
-#![allow(unsafe_code)]
+#![allow(
+    unsafe_code,
+    reason = "calls into functions compiled for instructions that the machine has been found to have"
+)]
 
 /// A set of vector instructions, narrowest first. A world steps with the widest that there is; this is how to ask for
 /// less, to compare.

@@ -78,6 +78,7 @@ pub use lanes::Lanes;
 pub use ledger::{Balance, Ledger};
 pub use real::Real;
 pub use roles::{Observer, Response, Stepper};
+pub use solve::{Elimination, LinearSolver};
 pub use stability::StabilityBound;
 pub use steppers::{
     Auto, Choice, Chosen, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, VelocityVerlet,

@@ -54,9 +54,10 @@ pub fn fetch<R: Real>(columns: Columns<'_, R>, index: u32) -> [R; 3] {
 
 /// Sets the vector of particle `index`.
 #[inline(always)]
-pub fn store<R: Real>(columns: &mut ColumnsMut<'_, R>, index: u32, vector: [R; 3]) {
-    for (column, component) in columns.iter_mut().zip(vector) {
-        put(column, index, component);
+pub fn store<R: Real>([x, y, z]: &mut ColumnsMut<'_, R>, index: u32, vector: [R; 3]) {
+    let index = index as usize;
+    if let (Some(x), Some(y), Some(z)) = (x.get_mut(index), y.get_mut(index), z.get_mut(index)) {
+        [*x, *y, *z] = vector;
     }
 }
 

@@ -13,16 +13,16 @@ use hooke_tests::{digest, scenes};
 const SINGLE: [u64; 6] = [
     0x6380_62b4_4269_d632,
     0x6e26_8a5a_67b6_57a6,
-    0x9248_4862_3219_e761,
-    0x7e53_8c0e_760a_f37f,
+    0xd192_9376_c713_58f1,
+    0x3c25_70cb_c324_5aea,
     0x8700_d61e_5bc5_ad61,
     0x8700_d61e_5bc5_ad61,
 ];
 const DOUBLE: [u64; 6] = [
     0xe509_0d86_9fd2_ce05,
     0xadb6_9f5d_1f63_5a92,
-    0x3789_b243_8508_8d56,
-    0x9b19_b26e_0151_799d,
+    0x8c8c_cd31_8ac5_2ad1,
+    0x4333_9dfb_5bea_9bb5,
     0xa837_b33d_6287_876c,
     0xa837_b33d_6287_876c,
 ];
@@ -31,16 +31,16 @@ const DOUBLE: [u64; 6] = [
 const SINGLE_LOCATED: [u64; 6] = [
     0xdc3d_c3e1_a5d1_de30,
     0xaa13_ca91_af42_862a,
-    0x57ba_3263_9110_d9a8,
-    0xa82e_94ef_b56d_3abd,
+    0x4692_6453_befe_f71f,
+    0xe1e5_3b4c_df00_7e09,
     0xc3eb_d209_b581_cf7d,
     0xbf04_f081_8254_58fc,
 ];
 const DOUBLE_LOCATED: [u64; 6] = [
     0x5155_c1b4_9f54_bbc7,
     0x7c52_78ca_b9a7_71d6,
-    0xc757_47ff_0935_de5f,
-    0x3518_1d22_e429_5b95,
+    0xb455_f43e_8b07_3169,
+    0x93aa_193c_abca_ca60,
     0xded1_ddc3_da22_e1aa,
     0xb13c_8ec4_432f_2ea1,
 ];

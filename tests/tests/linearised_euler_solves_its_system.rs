@@ -4,11 +4,9 @@
 use hooke_runner::model::{Hold, Model};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_tests::graphs::Graph;
-use hooke_tests::moment::Moment;
 use hooke_tests::problems::smooth;
-use hooke_tests::right_hand_side::RightHandSide;
 use hooke_tests::runs::Run;
-use hooke_tests::{dense, linearisation, measure};
+use hooke_tests::{linearisation, measure};
 
 const GRAVITY: [f64; 3] = [0.2, -0.5, -9.7];
 
@@ -46,46 +44,11 @@ fn check(model: &Model, gravity: [f64; 3], dt: f64, name: &str) {
     let start = run.moment();
     let report = run.steps(1, dt);
     assert!(report.converged && report.iterations == 1, "{name}: {report:?}");
-    let expected = solution(model, gravity, &start, dt);
+    let expected = linearisation::step(model, gravity, &start, &linearisation::weights(model), dt);
     let found = run.moment();
     let size = expected.velocity.as_flattened().iter().fold(0.1, |size: f64, v| size.max(v.abs()));
     let apart = measure::velocity_error(&found, &expected) / size;
     // A residual of 1e-14 times the matrix's condition, 1 + dt²ω²: 1e4 at most here.
     assert!(apart < 1e-9, "{name}: {apart:e}, {report:?}");
     assert!(measure::position_error(&found, &expected) < 1e-9 * size * dt.max(1e-3), "{name}");
-}
-
-/// In components scaled with √m, so that what is held (√(1/m) = 0) drops out.
-fn solution(model: &Model, gravity: [f64; 3], start: &Moment, dt: f64) -> Moment {
-    let across = |[stiffness, rest_length, length, density]: [f64; 4]| {
-        if length > 0.0 {
-            density
-        } else if rest_length > 0.0 {
-            0.0
-        } else {
-            stiffness
-        }
-    };
-    let [k, c] = linearisation::matrices(model, start, across);
-    let weights = linearisation::weights(model);
-    let mut accelerations = vec![[0.0; 3]; model.particles.len()];
-    RightHandSide::new(model, gravity).accelerate(&start.position, &start.velocity, &mut accelerations);
-    let (v, a) = (start.velocity.as_flattened(), accelerations.as_flattened());
-    let size = v.len();
-    let rows = (0..size).map(|row| {
-        let entry = |column: usize| {
-            let inertia = if row == column { 1.0 } else { 0.0 };
-            inertia + weights[row] * (dt * c[row][column] + dt * dt * k[row][column]) * weights[column]
-        };
-        (0..size).map(entry).collect()
-    });
-    let right = (0..size).map(|row| {
-        let stretched: f64 = k[row].iter().zip(v).map(|(k, v)| k * v).sum();
-        let inertial = if weights[row] > 0.0 { dt * a[row] / weights[row] } else { 0.0 };
-        inertial - dt * dt * weights[row] * stretched
-    });
-    let change = dense::solve(rows.collect(), right.collect()).unwrap();
-    let velocity: Vec<f64> = (0..size).map(|row| v[row] + weights[row] * change[row]).collect();
-    let position: Vec<f64> = start.position.as_flattened().iter().zip(&velocity).map(|(x, v)| x + dt * v).collect();
-    Moment { position: position.as_chunks().0.to_vec(), velocity: velocity.as_chunks().0.to_vec() }
 }

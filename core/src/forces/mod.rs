@@ -1,7 +1,6 @@
 //! Forces. One pass over tiles of particles: each spring's force is worked out once, subtracted at its upper end and
 //! added at its lower one, in an order (`world/order.rs`) that no width of vectors and no tile changes.
 
-mod densities;
 mod diagonal;
 pub(crate) mod energy;
 mod law;
@@ -14,9 +13,9 @@ mod tiles;
 use crate::Real;
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut};
-use crate::world::{Coverage, System};
+use crate::world::System;
 
-pub(crate) use net::{net_force, pull};
+pub(crate) use net::pull;
 pub(crate) use tiles::Then;
 
 use tiles::{Accelerations, Keep};
@@ -50,20 +49,5 @@ impl<R: Real> System<'_, R> {
         let outcome = shared::run(whole);
         report.degenerate_springs = outcome.degenerate;
         outcome.finite
-    }
-
-    /// The force densities of all springs (N/m), reading no velocities where nothing is damped. Returns how many
-    /// springs have length 0.
-    pub(crate) fn force_densities(
-        &self,
-        position: Columns<'_, R>,
-        velocity: Columns<'_, R>,
-        force_density: &mut [R],
-    ) -> u32 {
-        if self.plan.damped == Coverage::None {
-            densities::force_densities::<R, false>(self.springs, position, velocity, force_density)
-        } else {
-            densities::force_densities::<R, true>(self.springs, position, velocity, force_density)
-        }
     }
 }

@@ -2,25 +2,10 @@
 
 use super::law::force_density;
 use crate::Real;
-use crate::vectors::{Columns, along, at, difference, fetch};
-use crate::world::{Incidence, System};
+use crate::vectors::{Columns, along, difference, fetch};
+use crate::world::System;
 
-/// Σ q (x_j − x_i) over the springs of a particle whose force densities are known, N.
-#[inline(always)]
-pub fn net_force<R: Real>(
-    position: Columns<'_, R>,
-    force_density: &[R],
-    slot: u32,
-    incidences: &[Incidence],
-) -> [R; 3] {
-    let here = fetch(position, slot);
-    incidences.iter().fold([R::ZERO; 3], |force, incidence| {
-        let d = difference(fetch(position, incidence.neighbour), here);
-        along(force, at(force_density, incidence.spring), d)
-    })
-}
-
-/// The same where they are not known.
+/// Σ q (x_j − x_i) over the springs of a particle, N.
 pub fn pull<R: Real>(system: &System<'_, R>, position: Columns<'_, R>, velocity: Columns<'_, R>, slot: u32) -> [R; 3] {
     let (here, v) = (fetch(position, slot), fetch(velocity, slot));
     system.springs.of_slot(slot).iter().fold([R::ZERO; 3], |force, incidence| {

@@ -1,80 +1,120 @@
 //! Preconditioned conjugate gradients.
 
 use super::linearised::Linearisation;
-use super::preconditioner::{apply, invert_blocks};
+use super::preconditioner::Preconditioner;
 use super::residual::norm;
-use super::workspace::Scratch;
 use crate::Real;
+use crate::contact::Support;
 use crate::sums::sum;
-use crate::vectors::{along, at, dot, fetch, read, scaled, store};
+use crate::vectors::{along, at, dot, scaled};
 use crate::world::System;
 
+/// A linear system on its way to its solution, by slot.
+pub struct Unknowns<'a, R> {
+    /// The solution so far.
+    pub direction: &'a mut [[R; 3]],
+    /// What is left of the right-hand side.
+    pub rest: &'a mut [[R; 3]],
+    /// The search direction.
+    pub search: &'a mut [[R; 3]],
+    /// The matrix times that, and then what the preconditioner makes of the rest.
+    pub product: &'a mut [[R; 3]],
+}
+
 /// What a solve came to.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Solved {
     /// Products with the matrix.
     pub iterations: u32,
     /// Whether the residual fell to the target.
     pub converged: bool,
+    /// Whether a direction was met along which the matrix is not positive.
+    pub indefinite: bool,
     /// What is left of it, √kg·m/s.
     pub residual: f64,
-    /// −residual·direction at the start: how steeply the direction leads down, kg·m²/s².
-    pub descent: f64,
 }
 
-/// Solves A·direction = −residual to a residual norm of `target`, over the particles that are neither held nor
-/// supported; the residual is used up. (Hestenes and Stiefel 1952; with the planes' supports filtered out as in Baraff
-/// and Witkin 1998, §5.3.)
-pub fn conjugate_gradients<R: Real>(system: &System<'_, R>, scratch: &mut Scratch<'_, R>, target: f64) -> Solved {
-    let Scratch { direction, residual, search, product, preconditioner, support, axis, along: stretch, across, .. } =
-        scratch;
-    let matrix = Linearisation { axis: crate::vectors::lend(axis), along: stretch, across };
-    let count = system.plan.attached;
-    let free = |slot: u32, vector: [R; 3]| {
-        if system.is_dynamic(slot) { at(support, slot).allow(vector) } else { [R::ZERO; 3] }
-    };
-    invert_blocks(system, &matrix, preconditioner);
-    for slot in 0..count {
-        let r = scaled(-R::ONE, free(slot, fetch(read(residual), slot)));
-        store(residual, slot, r);
-        store(search, slot, free(slot, apply(preconditioner, slot, r)));
-        store(direction, slot, [R::ZERO; 3]);
+impl Solved {
+    /// Whether there is nothing that another preconditioner could add.
+    pub fn is_final(&self) -> bool {
+        self.converged || self.indefinite
     }
-    let mut energy = sum(count, |slot| dot(fetch(read(residual), slot), fetch(read(search), slot)));
-    let mut solved = Solved { iterations: 0, converged: false, residual: norm(system, read(residual)), descent: 0.0 };
-    while solved.residual > target && solved.iterations < most_iterations(count) {
-        solved.iterations += 1;
-        for slot in 0..count {
-            let inertia = scaled(at(system.mass, slot), fetch(read(search), slot));
-            let row = free(slot, matrix.row(system, read(search), slot, inertia));
-            store(product, slot, row);
-        }
-        let curvature = sum(count, |slot| dot(fetch(read(search), slot), fetch(read(product), slot)));
-        let length = energy / curvature;
-        if !(length.is_finite() && length > R::ZERO) {
-            break;
-        }
-        // In exact arithmetic the search directions are conjugate, so each adds its own part.
-        solved.descent += (length * energy).to_f64();
-        for slot in 0..count {
-            let (p, a) = (fetch(read(search), slot), fetch(read(product), slot));
-            store(direction, slot, along(fetch(read(direction), slot), length, p));
-            store(residual, slot, along(fetch(read(residual), slot), -length, a));
-        }
-        let preconditioned = |slot: u32| free(slot, apply(preconditioner, slot, fetch(read(residual), slot)));
-        let next = sum(count, |slot| dot(fetch(read(residual), slot), preconditioned(slot)));
-        let ratio = next / energy;
-        for slot in 0..count {
-            store(search, slot, along(preconditioned(slot), ratio, fetch(read(search), slot)));
+}
+
+/// Sets out from 0 for the solution of A·direction = −residual over the particles that are neither held nor supported.
+pub fn set_out<R: Real>(
+    system: &System<'_, R>,
+    support: &[Support<R>],
+    residual: &[[R; 3]],
+    unknowns: &mut Unknowns<'_, R>,
+) {
+    unknowns.direction.fill([R::ZERO; 3]);
+    for (rest, residual) in unknowns.rest.iter_mut().zip(residual) {
+        *rest = scaled(-R::ONE, *residual);
+    }
+    confine(system, support, unknowns.rest);
+}
+
+/// Goes on to a residual norm of `target`, in `most` iterations at most. (Hestenes and Stiefel 1952; with the planes'
+/// supports filtered out as in Baraff and Witkin 1998, §5.3.)
+pub fn conjugate_gradients<R: Real>(
+    system: &System<'_, R>,
+    matrix: &Linearisation<'_, R>,
+    support: &[Support<R>],
+    preconditioner: &mut Preconditioner<'_, '_, R>,
+    unknowns: &mut Unknowns<'_, R>,
+    target: f64,
+    most: u32,
+) -> Solved {
+    let Unknowns { direction, rest, search, product } = unknowns;
+    let count = system.plan.attached;
+    let mut solved = Solved { residual: norm(system, rest), ..Solved::default() };
+    let mut energy = R::ZERO;
+    while solved.residual > target && solved.iterations < most {
+        preconditioner.apply(rest, product);
+        confine(system, support, product);
+        let next = sum(count, |slot| dot(at(rest, slot), at(product, slot)));
+        // In exact arithmetic the search directions are conjugate to each other.
+        let ratio = if solved.iterations == 0 { R::ZERO } else { next / energy };
+        for (search, preconditioned) in search.iter_mut().zip(product.iter()) {
+            *search = if solved.iterations == 0 { *preconditioned } else { along(*preconditioned, ratio, *search) };
         }
         energy = next;
-        solved.residual = norm(system, read(residual));
+        for ((product, search), mass) in product.iter_mut().zip(search.iter()).zip(system.mass) {
+            *product = scaled(*mass, *search);
+        }
+        matrix.add_product(system, search, product);
+        confine(system, support, product);
+        solved.iterations += 1;
+        let curvature = sum(count, |slot| dot(at(search, slot), at(product, slot)));
+        let length = energy / curvature;
+        if !(length.is_finite() && length > R::ZERO) {
+            solved.indefinite = true;
+            break;
+        }
+        let moved = direction.iter_mut().zip(rest.iter_mut());
+        for ((direction, rest), (search, product)) in moved.zip(search.iter().zip(product.iter())) {
+            *direction = along(*direction, length, *search);
+            *rest = along(*rest, -length, *product);
+        }
+        solved.residual = norm(system, rest);
     }
     solved.converged = solved.residual <= target;
     solved
 }
 
-/// In exact arithmetic there are as many iterations as unknowns at most; rounding may double them.
-fn most_iterations(particles: u32) -> u32 {
-    particles.saturating_mul(6).clamp(50, 20_000)
+/// Takes from a vector what is held or supported.
+fn confine<R: Real>(system: &System<'_, R>, support: &[Support<R>], vector: &mut [[R; 3]]) {
+    if system.plan.held > 0 {
+        for (value, inverse_mass) in vector.iter_mut().zip(system.inverse_mass) {
+            if *inverse_mass == R::ZERO {
+                *value = [R::ZERO; 3];
+            }
+        }
+    }
+    if system.support {
+        for (value, support) in vector.iter_mut().zip(support) {
+            *value = support.allow(*value);
+        }
+    }
 }

@@ -1,7 +1,8 @@
-//! The matrix of an implicit step, kept spring by spring and never assembled.
+//! The matrix of an implicit step, kept spring by spring.
 
+use super::evaluate::Evaluated;
 use crate::Real;
-use crate::vectors::{Columns, ColumnsMut, along, at, difference, dot, fetch, scaled, store};
+use crate::vectors::{along, at, difference, dot, put, scaled};
 use crate::world::System;
 
 /// The springs linearised about a state: A = M + dt·C + dt²·K, made positive definite.
@@ -11,11 +12,9 @@ use crate::world::System;
 /// would rather buckle: there it is left out (Teran et al. 2005, *Robust quasistatic finite elements*), unless asked for.
 pub struct Linearisation<'a, R> {
     /// d̂
-    pub axis: ColumnsMut<'a, R>,
-    /// kg
-    pub along: &'a mut [R],
-    /// kg
-    pub across: &'a mut [R],
+    pub axis: &'a [[R; 3]],
+    /// What a spring resists with along d̂ more than across it, and across it, kg.
+    pub resistance: &'a [[R; 2]],
 }
 
 /// What of the springs' resistance a linearisation keeps.
@@ -29,38 +28,42 @@ pub enum Keep {
     All,
 }
 
-impl<R: Real> Linearisation<'_, R> {
-    /// Linearises about a state whose force densities are known.
-    pub fn about(&mut self, system: &System<'_, R>, position: Columns<'_, R>, force_density: &[R], dt: R, keep: Keep) {
-        let springs = system.springs;
-        let square = dt * dt;
-        for (spring, (q, &[i, j])) in (0..).zip(force_density.iter().zip(springs.ends)) {
-            let d = difference(fetch(position, j), fetch(position, i));
-            let length = dot(d, d).sqrt();
-            let (stiffness, rest_length) = (at(springs.stiffness, spring), at(springs.rest_length, spring));
-            let rate = if keep == Keep::Stiffness { R::ZERO } else { at(springs.damping, spring) };
-            let (axis, across) = if length > R::ZERO {
-                (scaled(R::ONE / length, d), if keep == Keep::All { *q } else { q.at_least(R::ZERO) })
-            } else {
-                // Without a direction it resists all alike, if it would at this length at all.
-                ([R::ZERO; 3], if rest_length > R::ZERO { R::ZERO } else { stiffness })
-            };
-            store(&mut self.axis, spring, axis);
-            crate::vectors::put(self.along, spring, dt * rate + square * stiffness);
-            crate::vectors::put(self.across, spring, square * across);
-        }
+/// Linearises about the state that the springs were evaluated in.
+pub fn linearise<R: Real>(
+    system: &System<'_, R>,
+    evaluated: &Evaluated<'_, R>,
+    resistance: &mut [[R; 2]],
+    dt: R,
+    keep: Keep,
+) {
+    let springs = system.springs;
+    let square = dt * dt;
+    let parameters = springs.stiffness.iter().zip(springs.damping).zip(springs.rest_length);
+    let evaluated = evaluated.axis.iter().zip(evaluated.force_density.iter());
+    for ((resistance, (axis, q)), ((k, k_d), rest_length)) in resistance.iter_mut().zip(evaluated).zip(parameters) {
+        let rate = if keep == Keep::Stiffness { R::ZERO } else { *k_d };
+        let across = if *axis == [R::ZERO; 3] {
+            // Without a direction it resists all alike, if it would at this length at all.
+            if *rest_length > R::ZERO { R::ZERO } else { *k }
+        } else if keep == Keep::All {
+            *q
+        } else {
+            q.at_least(R::ZERO)
+        };
+        let across = square * across;
+        *resistance = [dt * rate + square * *k - across, across];
     }
+}
 
-    /// A u for one slot, of which m u is given.
-    #[inline(always)]
-    pub fn row(&self, system: &System<'_, R>, u: Columns<'_, R>, slot: u32, inertia: [R; 3]) -> [R; 3] {
-        let here = fetch(u, slot);
-        system.springs.of_slot(slot).iter().fold(inertia, |sum, incidence| {
-            let relative = difference(here, fetch(u, incidence.neighbour));
-            let axis = fetch(crate::vectors::read(&self.axis), incidence.spring);
-            let across = at(self.across, incidence.spring);
-            let stretch = (at(self.along, incidence.spring) - across) * dot(axis, relative);
-            along(along(sum, across, relative), stretch, axis)
-        })
+impl<R: Real> Linearisation<'_, R> {
+    /// Adds (A − M) u to `out`. Slots that are held get what the springs pull at them with.
+    pub fn add_product(&self, system: &System<'_, R>, u: &[[R; 3]], out: &mut [[R; 3]]) {
+        let springs = system.springs.ends.iter().zip(self.axis.iter().zip(self.resistance));
+        for (&[i, j], (axis, &[stretch, across])) in springs {
+            let relative = difference(at(u, i), at(u, j));
+            let pull = along(scaled(across, relative), stretch * dot(*axis, relative), *axis);
+            put(out, i, along(at(out, i), R::ONE, pull));
+            put(out, j, along(at(out, j), -R::ONE, pull));
+        }
     }
 }

@@ -1,12 +1,24 @@
-//! What implicit steppers solve with: the linearised springs, a preconditioner, conjugate gradients, and Newton's
-//! method around them.
+//! What implicit steppers solve with: Newton's method, and for its linear systems a factorisation or conjugate gradients.
 
+mod block;
 mod conjugate_gradients;
+mod evaluate;
+mod factor;
+mod line_search;
+mod linear;
 mod linearised;
 mod newton;
+mod one_linearisation;
+mod ordering;
 mod preconditioner;
 mod residual;
+mod room;
+mod start;
+mod structure;
 mod workspace;
+mod worth;
 
-pub(crate) use newton::{Tolerance, newton, one_linearisation};
+pub(crate) use newton::{Tolerance, newton};
+pub(crate) use one_linearisation::one_linearisation;
 pub(crate) use workspace::Workspace;
+pub use worth::{Elimination, LinearSolver};

@@ -1,62 +1,46 @@
-//! The inverses of the matrix's diagonal blocks (block Jacobi).
+//! What makes a linear system easy: a factor of its matrix, or at least the inverses of its diagonal blocks.
 
+use super::block::{Symmetric, add_spring, inverse, times_symmetric};
+use super::factor::Factor;
 use super::linearised::Linearisation;
 use crate::Real;
-use crate::vectors::{at, fetch, put, read};
+use crate::vectors::{at, put};
 use crate::world::System;
 
-/// Blocks kept as xx, yy, zz, xy, xz, yz.
-type Blocks<'a, R> = [&'a mut [R]; 6];
+/// An approximate inverse of a matrix.
+pub enum Preconditioner<'a, 'b, R> {
+    /// The inverses of the diagonal blocks, by slot (block Jacobi).
+    Blocks(&'a [Symmetric<R>]),
+    /// A factor: of this very matrix, or of one that it was near to.
+    Factor(&'a mut Factor<'b, R>),
+}
 
-/// Inverts the 3 × 3 block of every dynamic particle; it is positive definite since its mass is.
-pub fn invert_blocks<R: Real>(system: &System<'_, R>, matrix: &Linearisation<'_, R>, blocks: &mut Blocks<'_, R>) {
-    for (slot, incidences) in system.springs.by_slot(system.plan.attached) {
-        let mass = at(system.mass, slot);
-        let mut block = [mass, mass, mass, R::ZERO, R::ZERO, R::ZERO];
-        for incidence in incidences {
-            let [x, y, z] = fetch(read(&matrix.axis), incidence.spring);
-            let across = at(matrix.across, incidence.spring);
-            let stretch = at(matrix.along, incidence.spring) - across;
-            let [xx, yy, zz, xy, xz, yz] = block;
-            block = [
-                xx + across + stretch * x * x,
-                yy + across + stretch * y * y,
-                zz + across + stretch * z * z,
-                xy + stretch * x * y,
-                xz + stretch * x * z,
-                yz + stretch * y * z,
-            ];
-        }
-        for (column, entry) in blocks.iter_mut().zip(inverse(block)) {
-            put(column, slot, entry);
+impl<R: Real> Preconditioner<'_, '_, R> {
+    /// Writes what it makes of r to `out`, by slot.
+    pub fn apply(&mut self, r: &[[R; 3]], out: &mut [[R; 3]]) {
+        match self {
+            Self::Blocks(blocks) => {
+                for ((out, r), block) in out.iter_mut().zip(r).zip(blocks.iter()) {
+                    *out = times_symmetric(*block, *r);
+                }
+            }
+            Self::Factor(factor) => factor.solve(r, out),
         }
     }
 }
 
-/// By cofactors.
-fn inverse<R: Real>([xx, yy, zz, xy, xz, yz]: [R; 6]) -> [R; 6] {
-    let c_xx = yy * zz - yz * yz;
-    let c_xy = xz * yz - xy * zz;
-    let c_xz = xy * yz - xz * yy;
-    let determinant = xx * c_xx + xy * c_xy + xz * c_xz;
-    let scale = R::ONE / determinant;
-    if !(scale.is_finite() && scale > R::ZERO) {
-        // Rounding has eaten the determinant: the diagonal alone still helps.
-        return [R::ONE / xx, R::ONE / yy, R::ONE / zz, R::ZERO, R::ZERO, R::ZERO];
+/// The inverses of the matrix's diagonal blocks; they are positive definite since the masses are.
+pub fn invert_blocks<R: Real>(system: &System<'_, R>, matrix: &Linearisation<'_, R>, blocks: &mut [Symmetric<R>]) {
+    for (block, mass) in blocks.iter_mut().zip(system.mass) {
+        *block = [*mass, *mass, *mass, R::ZERO, R::ZERO, R::ZERO];
     }
-    [
-        scale * c_xx,
-        scale * (xx * zz - xz * xz),
-        scale * (xx * yy - xy * xy),
-        scale * c_xy,
-        scale * c_xz,
-        scale * (xy * xz - xx * yz),
-    ]
-}
-
-/// The inverse block of a slot times a vector.
-#[inline(always)]
-pub fn apply<R: Real>(blocks: &Blocks<'_, R>, slot: u32, [x, y, z]: [R; 3]) -> [R; 3] {
-    let [xx, yy, zz, xy, xz, yz] = blocks.each_ref().map(|column| at(column, slot));
-    [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z]
+    let springs = system.springs.ends.iter().zip(matrix.axis.iter().zip(matrix.resistance));
+    for (ends, (&axis, &[stretch, across])) in springs {
+        for slot in ends {
+            put(blocks, *slot, add_spring(at(blocks, *slot), axis, stretch, across));
+        }
+    }
+    for block in blocks.iter_mut() {
+        *block = inverse(*block);
+    }
 }

@@ -1,11 +1,11 @@
 //! The equation of an implicit step: how far a state is from solving it, and how far it has to be.
 
+use super::evaluate::{Evaluated, Impulse};
 use super::workspace::Scratch;
 use crate::Real;
-use crate::forces::net_force;
 use crate::sums::sum;
 use crate::types::StepReport;
-use crate::vectors::{Columns, along, at, difference, dot, fetch, read, scaled, store};
+use crate::vectors::{advance_columns, along, at, difference, dot, fetch, lend, put, read, scaled};
 use crate::world::{System, View};
 
 /// How large the residual is, and what it is to be compared with; all in √kg·m/s.
@@ -27,10 +27,10 @@ impl Measured {
 }
 
 /// √(Σ |r|²/m) over the particles that are not held.
-pub fn norm<R: Real>(system: &System<'_, R>, residual: Columns<'_, R>) -> f64 {
+pub fn norm<R: Real>(system: &System<'_, R>, residual: &[[R; 3]]) -> f64 {
     let square = sum(system.plan.attached, |slot| {
         // The squares of small residuals would be 0 in `f32`, and look like a solution.
-        let r = fetch(residual, slot).map(Real::to_f64);
+        let r = at(residual, slot).map(Real::to_f64);
         at(system.inverse_mass, slot).to_f64() * dot(r, r)
     });
     Real::sqrt(square)
@@ -43,62 +43,56 @@ pub fn residual<R: Real>(
     scratch: &mut Scratch<'_, R>,
     report: &mut StepReport,
 ) -> Measured {
-    let View { system, current, next, force_density, .. } = view;
-    crate::vectors::advance_columns(
-        crate::vectors::lend(&mut next.position),
-        read(&current.position),
-        dt,
-        read(&next.velocity),
-    );
-    let position = read(&next.position);
+    let View { system, current, next, .. } = view;
+    advance_columns(lend(&mut next.position), read(&current.position), dt, read(&next.velocity));
+    let (position, velocity) = (read(&next.position), read(&next.velocity));
+    let mut evaluated = Evaluated { axis: scratch.axis, force_density: scratch.force_density };
     report.force_evaluations += 1;
-    report.degenerate_springs = system.force_densities(position, read(&next.velocity), force_density);
-    for (slot, incidences) in system.springs.by_slot(system.plan.attached) {
+    let impulses = &mut *scratch.blocks;
+    report.degenerate_springs = evaluated.springs(system, position, velocity, dt, impulses);
+    for slot in 0..system.plan.attached {
         if !system.is_dynamic(slot) {
-            store(&mut scratch.residual, slot, [R::ZERO; 3]);
+            put(scratch.residual, slot, [R::ZERO; 3]);
             continue;
         }
-        let change = difference(fetch(read(&next.velocity), slot), fetch(read(&current.velocity), slot));
+        let change = difference(fetch(velocity, slot), fetch(read(&current.velocity), slot));
         let change = along(change, -dt, system.gravity);
-        let force = net_force(position, force_density, slot, incidences);
-        let r = along(scaled(at(system.mass, slot), change), -dt, force);
-        store(&mut scratch.residual, slot, at(scratch.support, slot).allow(r));
+        let [x, y, z, ..] = at(impulses, slot);
+        let r = difference(scaled(at(system.mass, slot), change), [x, y, z]);
+        put(scratch.residual, slot, at(scratch.support, slot).allow(r));
     }
-    let [scale, rounding] = sizes(view, dt);
-    Measured { norm: norm(&view.system, read(&scratch.residual)), scale, rounding }
+    let [scale, rounding] = sizes(view, dt, scratch.blocks);
+    Measured { norm: norm(&view.system, scratch.residual), scale, rounding }
 }
 
 /// The size of the terms of the residual: of the momenta and of the impulses of gravity and of each spring; and of
 /// the roundings in them, which positions, far larger than the extensions that they give, dominate.
-fn sizes<R: Real>(view: &View<'_, R>, dt: R) -> [f64; 2] {
-    let View { system, current, next, force_density, .. } = view;
-    let (position, springs) = (read(&next.position), system.springs);
-    let dt = dt.to_f64();
-    let g = length(system.gravity);
-    let terms = |slot: u32| {
-        let mass = at(system.mass, slot).to_f64();
+fn sizes<R: Real>(view: &View<'_, R>, dt: R, impulses: &[Impulse<R>]) -> [f64; 2] {
+    let View { system, current, next, .. } = view;
+    let fall = dt.to_f64() * length(system.gravity);
+    let squares = sum(system.plan.attached, |slot| {
         let (before, after) = (fetch(read(&current.velocity), slot), fetch(read(&next.velocity), slot));
-        let momentum = mass * (length(before) + length(after) + dt * g);
-        let here = fetch(position, slot);
-        let reach = length(here);
-        springs.of_slot(slot).iter().fold((momentum, 0.0), |(size, noise), incidence| {
-            let d = difference(fetch(position, incidence.neighbour), here);
-            let stiffness = at(springs.stiffness, incidence.spring).to_f64();
-            let damping = at(springs.damping, incidence.spring).to_f64();
-            let tension = at(force_density, incidence.spring).to_f64().abs() * length(d);
-            let rounded = (stiffness + damping / dt) * (2.0 * reach + length(d));
-            (size + dt * tension, noise + dt * rounded)
-        })
-    };
-    let root_of_squares = |pick: fn((f64, f64)) -> f64| {
-        let square = sum(system.plan.attached, |slot| {
-            let size = pick(terms(slot));
-            at(system.inverse_mass, slot).to_f64() * size * size
-        });
-        Real::sqrt(square)
-    };
-    let scale = root_of_squares(|(size, _)| size);
-    [scale, R::EPSILON.to_f64() * (scale + root_of_squares(|(_, noise)| noise))]
+        let [.., impulse, strength, moment] = at(impulses, slot).map(Real::to_f64);
+        let size = at(system.mass, slot).to_f64() * (length(before) + length(after) + fall) + impulse;
+        let noise = 2.0 * length(fetch(read(&next.position), slot)) * strength + moment;
+        let weight = at(system.inverse_mass, slot).to_f64();
+        Two([weight * size * size, weight * noise * noise])
+    });
+    let [scale, noise] = squares.0.map(Real::sqrt);
+    [scale, R::EPSILON.to_f64() * (scale + noise)]
+}
+
+/// Two sums at once.
+#[derive(Clone, Copy, Default)]
+struct Two([f64; 2]);
+
+impl core::ops::Add for Two {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let ([a, b], [c, d]) = (self.0, other.0);
+        Self([a + c, b + d])
+    }
 }
 
 fn length<R: Real>(vector: [R; 3]) -> f64 {

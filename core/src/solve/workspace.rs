@@ -1,90 +1,104 @@
 //! The room that an implicit solve needs, owned by the steppers that do it.
 
+use super::block::Symmetric;
+use super::room::{Direct, Room};
+use super::worth::LinearSolver;
 use crate::Real;
 use crate::contact::Support;
 use crate::types::Full;
-use crate::vectors::ColumnsMut;
-use crate::world::{Column, Plan, Storage};
+use crate::world::{Column, Plan, Storage, System};
 
-/// 21 reals and a support a particle, 5 reals a spring.
-pub struct Workspace<R: Real, M: Storage> {
-    base: [M::Particles<R>; 3],
-    direction: [M::Particles<R>; 3],
-    residual: [M::Particles<R>; 3],
-    search: [M::Particles<R>; 3],
-    product: [M::Particles<R>; 3],
-    preconditioner: [M::Particles<R>; 6],
+/// 21 reals and a support a particle, 6 reals a spring, and the [`Room`] for a factor.
+pub struct Workspace<R: Real, M: Storage, const FILL: usize> {
+    direction: M::Particles<[R; 3]>,
+    residual: M::Particles<[R; 3]>,
+    spare: M::Particles<[R; 3]>,
+    search: M::Particles<[R; 3]>,
+    product: M::Particles<[R; 3]>,
+    blocks: M::Particles<Symmetric<R>>,
     support: M::Particles<Support<R>>,
-    axis: [M::Springs<R>; 3],
-    along: M::Springs<R>,
-    across: M::Springs<R>,
+    axis: M::Springs<[R; 3]>,
+    force_density: M::Springs<R>,
+    resistance: M::Springs<[R; 2]>,
+    room: Room<R, M, FILL>,
 }
 
 /// The same as slices.
 pub struct Scratch<'a, R> {
-    /// The velocities that a line search starts from, m/s.
-    pub base: ColumnsMut<'a, R>,
-    /// Where it searches, m/s.
-    pub direction: ColumnsMut<'a, R>,
-    /// Of the equation, and then of its linearisation, kg·m/s.
-    pub residual: ColumnsMut<'a, R>,
+    /// Where a line search goes, m/s.
+    pub direction: &'a mut [[R; 3]],
+    /// Of the equation, kg·m/s.
+    pub residual: &'a mut [[R; 3]],
+    /// What is left of the linear system's right-hand side, kg·m/s; the velocities that a line search starts from, m/s.
+    pub spare: &'a mut [[R; 3]],
     /// The search direction of the conjugate gradients.
-    pub search: ColumnsMut<'a, R>,
+    pub search: &'a mut [[R; 3]],
     /// The matrix times that.
-    pub product: ColumnsMut<'a, R>,
-    /// The inverses of the matrix's diagonal blocks: xx, yy, zz, xy, xz, yz.
-    pub preconditioner: [&'a mut [R]; 6],
+    pub product: &'a mut [[R; 3]],
+    /// The inverses of the matrix's diagonal blocks; the impulses of the springs.
+    pub blocks: &'a mut [Symmetric<R>],
     /// What planes take from each particle.
     pub support: &'a mut [Support<R>],
     /// d̂ of each spring.
-    pub axis: ColumnsMut<'a, R>,
-    /// The spring's part of the matrix along d̂, kg.
-    pub along: &'a mut [R],
-    /// Its part across d̂, kg.
-    pub across: &'a mut [R],
+    pub axis: &'a mut [[R; 3]],
+    /// Tension over length of each spring, N/m.
+    pub force_density: &'a mut [R],
+    /// The spring's part of the matrix, along d̂ more than across it, and across it, kg.
+    pub resistance: &'a mut [[R; 2]],
+    /// The factor.
+    pub direct: Direct<'a, R>,
 }
 
-impl<R: Real, M: Storage> Workspace<R, M> {
+impl<R: Real, M: Storage, const FILL: usize> Workspace<R, M, FILL> {
     /// Without room for anything yet.
     pub const fn new() -> Self {
         Self {
-            base: [const { Column::EMPTY }; 3],
-            direction: [const { Column::EMPTY }; 3],
-            residual: [const { Column::EMPTY }; 3],
-            search: [const { Column::EMPTY }; 3],
-            product: [const { Column::EMPTY }; 3],
-            preconditioner: [const { Column::EMPTY }; 6],
+            direction: Column::EMPTY,
+            residual: Column::EMPTY,
+            spare: Column::EMPTY,
+            search: Column::EMPTY,
+            product: Column::EMPTY,
+            blocks: Column::EMPTY,
             support: Column::EMPTY,
-            axis: [const { Column::EMPTY }; 3],
-            along: Column::EMPTY,
-            across: Column::EMPTY,
+            axis: Column::EMPTY,
+            force_density: Column::EMPTY,
+            resistance: Column::EMPTY,
+            room: Room::new(),
         }
     }
 
     /// Makes room for what springs pull at.
     pub fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
         let (particles, springs) = (plan.attached as usize, plan.springs as usize);
-        let vectors = [&mut self.base, &mut self.direction, &mut self.residual, &mut self.search, &mut self.product];
-        let columns = vectors.into_iter().flatten().chain(&mut self.preconditioner);
-        columns.into_iter().try_for_each(|column| column.fit(particles))?;
+        let vectors = [&mut self.direction, &mut self.residual, &mut self.spare, &mut self.search, &mut self.product];
+        vectors.into_iter().try_for_each(|column| column.fit(particles))?;
+        self.blocks.fit(particles)?;
         self.support.fit(particles)?;
-        let columns = self.axis.iter_mut().chain([&mut self.along, &mut self.across]);
-        columns.into_iter().try_for_each(|column| column.fit(springs))
+        self.axis.fit(springs)?;
+        self.force_density.fit(springs)?;
+        self.resistance.fit(springs)
     }
 
-    /// As slices.
-    pub fn lend(&mut self) -> Scratch<'_, R> {
+    /// What solves the linear systems of a step of `dt`.
+    pub fn linear_solver(&mut self, system: &System<'_, R>, dt: R) -> LinearSolver {
+        self.room.prepare(system, dt)
+    }
+
+    /// As slices, for a step of `dt`.
+    pub fn lend(&mut self, system: &System<'_, R>, dt: R) -> Scratch<'_, R> {
+        self.room.prepare(system, dt);
         Scratch {
-            base: self.base.each_mut().map(Column::items_mut),
-            direction: self.direction.each_mut().map(Column::items_mut),
-            residual: self.residual.each_mut().map(Column::items_mut),
-            search: self.search.each_mut().map(Column::items_mut),
-            product: self.product.each_mut().map(Column::items_mut),
-            preconditioner: self.preconditioner.each_mut().map(Column::items_mut),
+            direction: self.direction.items_mut(),
+            residual: self.residual.items_mut(),
+            spare: self.spare.items_mut(),
+            search: self.search.items_mut(),
+            product: self.product.items_mut(),
+            blocks: self.blocks.items_mut(),
             support: self.support.items_mut(),
-            axis: self.axis.each_mut().map(Column::items_mut),
-            along: self.along.items_mut(),
-            across: self.across.items_mut(),
+            axis: self.axis.items_mut(),
+            force_density: self.force_density.items_mut(),
+            resistance: self.resistance.items_mut(),
+            direct: self.room.lend(),
         }
     }
 }

@@ -6,6 +6,7 @@ use super::{ImplicitEuler, SemiImplicitEuler, VelocityVerlet};
 use crate::Real;
 use crate::collisions::Flights;
 use crate::roles::Stepper;
+use crate::solve::LinearSolver;
 use crate::stability::{StabilityBound, bound};
 use crate::types::{Full, StepReport};
 use crate::world::{Plan, Storage, View};
@@ -22,9 +23,9 @@ const MARGIN: f64 = 0.95;
 ///
 /// Exact flight, from plane to plane without stepping in between, needs [`crate::TimeOfImpact`]; the other responses
 /// answer hits at the end of each step, up to which such a particle then flies by x + dt v + ½dt² g.
-pub struct Auto<R: Real, M: Storage> {
+pub struct Auto<R: Real, M: Storage, const FILL: usize = 1> {
     verlet: VelocityVerlet<R, M>,
-    implicit: ImplicitEuler<R, M>,
+    implicit: ImplicitEuler<R, M, FILL>,
     flights: Flights<R, M>,
     choice: Option<Choice>,
     /// Until the next bound.
@@ -57,7 +58,7 @@ pub struct Choice {
     pub bound: Option<StabilityBound>,
 }
 
-impl<R: Real, M: Storage> Auto<R, M> {
+impl<R: Real, M: Storage, const FILL: usize> Auto<R, M, FILL> {
     /// With the tolerance of [`ImplicitEuler`], should it be chosen.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
@@ -75,6 +76,14 @@ impl<R: Real, M: Storage> Auto<R, M> {
     #[must_use]
     pub fn choice(&self) -> Option<Choice> {
         self.choice
+    }
+
+    /// What solves the linear systems of [`ImplicitEuler`]'s steps of `dt` seconds, should it be chosen, and why.
+    ///
+    /// # Errors
+    /// If the workspace has a fixed capacity and the world is larger.
+    pub fn linear_solver(&mut self, view: &View<'_, R>, dt: R) -> Result<LinearSolver, Full> {
+        self.implicit.linear_solver(view, dt)
     }
 
     fn choose(&mut self, view: &View<'_, R>, dt: R) -> Chosen {
@@ -109,7 +118,7 @@ impl Choice {
     }
 }
 
-impl<R: Real, M: Storage> Stepper<R> for Auto<R, M> {
+impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for Auto<R, M, FILL> {
     fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
         self.verlet.fit(plan)?;
         self.implicit.fit(plan)?;

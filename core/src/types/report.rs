@@ -7,8 +7,10 @@ pub struct StepReport {
     pub converged: bool,
     /// Newton iterations; 0 for explicit steppers.
     pub iterations: u32,
-    /// Iterations of the linear solver inside Newton's; 0 for explicit steppers.
+    /// Iterations of the linear solver inside Newton's, each a product with its matrix; 0 for explicit steppers.
     pub linear_iterations: u32,
+    /// Factorisations of its matrix; 0 where conjugate gradients did without.
+    pub factorisations: u32,
     /// The largest remaining residual of those equations, relative to the size of their terms.
     pub residual: f64,
     /// Evaluations of all spring forces.
@@ -30,6 +32,7 @@ impl Default for StepReport {
             converged: true,
             iterations: 0,
             linear_iterations: 0,
+            factorisations: 0,
             residual: 0.0,
             force_evaluations: 0,
             hits: 0,
@@ -46,6 +49,7 @@ impl StepReport {
         self.converged &= later.converged;
         self.iterations = self.iterations.saturating_add(later.iterations);
         self.linear_iterations = self.linear_iterations.saturating_add(later.linear_iterations);
+        self.factorisations = self.factorisations.saturating_add(later.factorisations);
         self.residual = if later.residual > self.residual { later.residual } else { self.residual };
         self.force_evaluations = self.force_evaluations.saturating_add(later.force_evaluations);
         self.hits = self.hits.saturating_add(later.hits);

@@ -152,7 +152,6 @@ pub struct View<'a, R: Real> {
     pub(crate) current: State<'a, R>,
     /// The state that a step is making.
     pub(crate) next: State<'a, R>,
-    pub(crate) force_density: &'a mut [R],
     /// Whether the next state is known to be finite.
     pub(crate) is_next_finite: bool,
     /// Which of the owner's two states is the current one: 0 or 1.
@@ -213,7 +212,6 @@ impl<'a, R: Real> View<'a, R> {
             system: System { plan, ..self.system },
             current: self.current.first(attached),
             next: self.next.first(attached),
-            force_density: self.force_density,
             is_next_finite: self.is_next_finite,
             front: self.front,
             epoch: self.epoch,

@@ -64,7 +64,7 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
     }
     let kinds = if kinds.is_empty() { String::new() } else { format!(": {}", kinds.join(", ")) };
     let row = |name: &str, value: String| [name.to_owned(), value];
-    vec![
+    let mut rows = vec![
         row("particles", format!("{}{kinds}", count(model.particles.len() as u64))),
         row("springs", count(model.springs.len() as u64)),
         row("planes", count(model.planes.len() as u64)),
@@ -72,7 +72,9 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
         row("method", format!("{}, {}, {}", settings.stepper, settings.precision, settings.collision)),
         row("steps", steps(settings, start)),
         row("frames", format!("{}, {} a second", count(start.schedule.frames()), settings.frame_rate)),
-    ]
+    ];
+    rows.extend(start.linear_solver.map(|solver| row("linear solver", solver.to_string())));
+    rows
 }
 
 fn steps(settings: &Settings, start: &Start) -> String {

@@ -1,12 +1,16 @@
 //! The stepper and the response that a scene names.
 
 use hooke::{
-    Auto, Choice, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, Observer, Plan, Project, Real, Reflect,
-    Response, SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, VelocityVerlet, View,
+    Auto, Choice, Chosen, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, LinearSolver, Observer, Plan,
+    Project, Real, Reflect, Response, SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, VelocityVerlet,
+    View,
 };
 
 use super::heap::Heap;
 use crate::scene::{CollisionForm, StepperName};
+
+/// The blocks of a factor that implicit steppers may have for each spring: enough for cloths of 64 x 64.
+pub const FILL: usize = 16;
 
 /// Any of the steppers.
 #[expect(clippy::large_enum_variant, reason = "there is one in a run")]
@@ -16,13 +20,13 @@ pub enum AnyStepper<R: Real> {
     /// `semi-implicit-euler`
     SemiImplicitEuler(SemiImplicitEuler),
     /// `implicit-euler`
-    ImplicitEuler(ImplicitEuler<R, Heap>),
+    ImplicitEuler(ImplicitEuler<R, Heap, FILL>),
     /// `implicit-euler-linearised`
-    ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap>),
+    ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap, FILL>),
     /// `velocity-verlet`
     VelocityVerlet(VelocityVerlet<R, Heap>),
     /// `auto`
-    Auto(Auto<R, Heap>),
+    Auto(Auto<R, Heap, FILL>),
 }
 
 impl<R: Real> AnyStepper<R> {
@@ -47,6 +51,26 @@ impl<R: Real> AnyStepper<R> {
         match self {
             Self::Auto(auto) => auto.choice(),
             _ => None,
+        }
+    }
+
+    /// What solves the linear systems of steps of `dt` seconds, and why; nothing for explicit steppers.
+    ///
+    /// # Errors
+    /// Never, on the heap.
+    pub fn linear_solver(&mut self, view: &View<'_, R>, dt: f64) -> Result<Option<LinearSolver>, Full> {
+        let dt = R::from_f64(dt);
+        match self {
+            Self::ImplicitEuler(stepper) => stepper.linear_solver(view, dt).map(Some),
+            Self::ImplicitEulerLinearised(stepper) => stepper.linear_solver(view, dt).map(Some),
+            // It steps explicitly where it can.
+            Self::Auto(stepper) => match view.stability() {
+                bound if Choice::of(bound, dt.to_f64()).chosen == Chosen::ImplicitEuler => {
+                    stepper.linear_solver(view, dt).map(Some)
+                }
+                _ => Ok(None),
+            },
+            _ => Ok(None),
         }
     }
 }

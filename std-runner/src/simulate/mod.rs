@@ -13,7 +13,7 @@ mod tracks;
 
 pub use build::{BuildError, HeapWorld, world};
 pub use heap::{Heap, HeapColumn};
-pub use method::{AnyResponse, AnyStepper};
+pub use method::{AnyResponse, AnyStepper, FILL};
 pub use run::{Options, Progress, RunError, Start, run};
 pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};

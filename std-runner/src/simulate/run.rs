@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use hooke::{Ledger, Observer, Plan, Real, StabilityBound, StepError, StepReport, View};
+use hooke::{Ledger, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View};
 
 use super::build::{BuildError, HeapWorld, world};
 use super::frames::Frames;
@@ -68,6 +68,8 @@ pub struct Start {
     pub bound: Option<StabilityBound>,
     /// The time step, s; nothing where particles fly from frame to frame.
     pub time_step: Option<f64>,
+    /// What solves the linear systems of a step; nothing for explicit steppers.
+    pub linear_solver: Option<LinearSolver>,
 }
 
 impl Start {
@@ -84,7 +86,11 @@ impl Start {
         let bound = view.stability();
         let time_step = choose_time_step(settings, view.plan(), bound.as_ref());
         let schedule = Schedule::new(settings.duration, time_step, settings.frame_rate);
-        Self { schedule, plan: *view.plan(), bound, time_step }
+        let linear_solver = time_step.and_then(|dt| {
+            // There is always room on the heap.
+            AnyStepper::<R>::named(settings.stepper, settings.tolerance).linear_solver(&view, dt).ok().flatten()
+        });
+        Self { schedule, plan: *view.plan(), bound, time_step, linear_solver }
     }
 }
 
@@ -152,6 +158,8 @@ fn summary(start: Start) -> Summary {
         force_evaluations: 0,
         iterations: 0,
         linear_iterations: 0,
+        factorisations: 0,
+        linear_solver: start.linear_solver,
         unconverged: 0,
         residual: 0.0,
     }
@@ -227,6 +235,7 @@ impl<R: Sample> Run<R> {
         summary.force_evaluations += u64::from(report.force_evaluations);
         summary.iterations += u64::from(report.iterations);
         summary.linear_iterations += u64::from(report.linear_iterations);
+        summary.factorisations += u64::from(report.factorisations);
         summary.unconverged += u64::from(!report.converged);
         summary.residual = summary.residual.max(report.residual);
     }

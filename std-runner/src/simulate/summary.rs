@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use hooke::{Balance, Choice, Plan, StabilityBound, StepError};
+use hooke::{Balance, Choice, LinearSolver, Plan, StabilityBound, StepError};
 
 use super::schedule::Schedule;
 
@@ -63,6 +63,10 @@ pub struct Summary {
     pub iterations: u64,
     /// Iterations of the linear solver.
     pub linear_iterations: u64,
+    /// Factorisations of its matrix.
+    pub factorisations: u64,
+    /// What solves the linear systems of whole steps, as known at the start; nothing for explicit steppers.
+    pub linear_solver: Option<LinearSolver>,
     /// Steps whose equation was not solved to the tolerance.
     pub unconverged: u64,
     /// The largest relative residual of any step.

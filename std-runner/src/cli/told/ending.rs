@@ -39,8 +39,13 @@ fn readable(summary: &Summary, recorded: bool) -> String {
 }
 
 fn non_finite(model: &Model, settings: &Settings, summary: &Summary, particle: u32, recorded: bool) -> Failure {
-    let start =
-        Start { schedule: summary.schedule, plan: summary.plan, bound: summary.bound, time_step: summary.time_step };
+    let start = Start {
+        schedule: summary.schedule,
+        plan: summary.plan,
+        bound: summary.bound,
+        time_step: summary.time_step,
+        linear_solver: summary.linear_solver,
+    };
     let (cause, remedy) = cause(model, settings, &start);
     let message = format!(
         "particle {particle} became infinite or NaN in the step after {}: {cause}{}",

@@ -97,6 +97,11 @@ fn solver(settings: &Settings, summary: &Summary) -> Vec<[String; 2]> {
         count(summary.linear_iterations),
         per_step(summary.linear_iterations),
     );
+    let factorisations = match summary.factorisations {
+        0 => String::new(),
+        number => format!("; {} factorisations", count(number)),
+    };
+    let iterations = iterations + &factorisations;
     // A step is solved, too, where rounding leaves nothing to improve.
     let allowed = if summary.residual > settings.tolerance && summary.unconverged == 0 {
         format!(", where rounding in {} allows no less", settings.precision)
@@ -109,5 +114,8 @@ fn solver(settings: &Settings, summary: &Summary) -> Vec<[String; 2]> {
     } else {
         format!("{} of {}", count(summary.unconverged), counted(summary.steps, "step"))
     };
-    vec![fact("solver", iterations), fact("residual", residual), fact("unconverged", unconverged)]
+    let mut facts = vec![fact("solver", iterations)];
+    facts.extend(summary.linear_solver.map(|solver| fact("linear solver", solver.to_string())));
+    facts.extend([fact("residual", residual), fact("unconverged", unconverged)]);
+    facts
 }

@@ -1,0 +1,174 @@
+//! The Cholesky factorisation L·D·Lᵀ of an implicit step's matrix, in blocks of 3 × 3.
+//!
+//! Column by column, each taken from those to its right as soon as it is known (George and Liu, *Computer Solution of
+//! Large Sparse Positive Definite Systems*, 1981): the entries stay in place and no room is needed beside them.
+
+use super::block::{
+    Block, Symmetric, add_spring, divided, minus_product, solve_diagonal, solve_lower, solve_upper, subtract_columns,
+    subtract_rows, subtract_spring, subtract_symmetric, take_apart, times_diagonal, transposed,
+};
+use super::linearised::Linearisation;
+use super::ordering::NONE;
+use super::structure::Structure;
+use crate::Real;
+use crate::contact::Support;
+use crate::vectors::{at, put};
+use crate::world::System;
+
+/// A factor, or the room for one.
+pub struct Factor<'a, R> {
+    /// Where its entries are.
+    pub structure: Structure<'a>,
+    /// Below the diagonal, entry by entry.
+    pub blocks: &'a mut [Block<R>],
+    /// The diagonal, turn by turn: assembled, and then taken apart.
+    pub diagonal: &'a mut [Symmetric<R>],
+    /// Room for a solution, turn by turn.
+    pub solution: &'a mut [[R; 3]],
+}
+
+impl<R: Real> Factor<'_, R> {
+    /// Assembles the matrix and factorises it. False if it is not positive definite, and then there is no factor.
+    pub fn make(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>, support: &[Support<R>]) -> bool {
+        self.assemble(system, matrix);
+        if system.support {
+            self.confine(system, support);
+        }
+        self.factorise()
+    }
+
+    fn assemble(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>) {
+        self.blocks.fill([[R::ZERO; 4]; 3]);
+        for (entry, slot) in self.diagonal.iter_mut().zip(self.structure.slot_at) {
+            let m = at(system.mass, *slot);
+            *entry = [m, m, m, R::ZERO, R::ZERO, R::ZERO];
+        }
+        let springs = system.springs.ends.iter().zip(self.structure.entry_of);
+        for ((ends, entry), (&axis, &[stretch, across])) in springs.zip(matrix.axis.iter().zip(matrix.resistance)) {
+            for slot in ends {
+                let turn = at(self.structure.turn_of, *slot);
+                if let Some(block) = self.diagonal.get_mut(turn as usize) {
+                    *block = add_spring(*block, axis, stretch, across);
+                }
+            }
+            if *entry != NONE
+                && let Some(block) = self.blocks.get_mut(*entry as usize)
+            {
+                subtract_spring(block, axis, stretch, across);
+            }
+        }
+    }
+
+    /// Takes from rows and columns the directions that planes hold up; there the matrix becomes the mass.
+    fn confine(&mut self, system: &System<'_, R>, support: &[Support<R>]) {
+        for (turn, slot) in (0..).zip(self.structure.slot_at.iter().take(self.diagonal.len())) {
+            let held = at(support, *slot);
+            let entries = self.structure.column(turn);
+            let rows = self.structure.rows(entries.clone());
+            let column = self.blocks.get_mut(entries).unwrap_or_default();
+            for (block, row) in column.iter_mut().zip(rows) {
+                let row_held = at(support, at(self.structure.slot_at, *row));
+                if held != Support::None || row_held != Support::None {
+                    let left = transposed(allowed(*block, held));
+                    *block = transposed(allowed(left, row_held));
+                }
+            }
+            if held != Support::None
+                && let Some(block) = self.diagonal.get_mut(turn as usize)
+            {
+                *block = confined(*block, held, at(system.mass, *slot));
+            }
+        }
+    }
+
+    fn factorise(&mut self) -> bool {
+        let Self { structure, blocks, diagonal, .. } = self;
+        let turns = diagonal.len() as u32;
+        for turn in 0..turns {
+            let entries = structure.column(turn);
+            let rows = structure.rows(entries.clone());
+            let Some((pivot, d)) = take_apart(at(diagonal, turn)) else { return false };
+            put(diagonal, turn, pivot);
+            let Some((done, after)) = blocks.split_at_mut_checked(entries.end) else { return false };
+            let column = done.get_mut(entries.clone()).unwrap_or_default();
+            for block in column.iter_mut() {
+                *block = divided(block, pivot);
+            }
+            let mut rest = column.iter().zip(rows);
+            while let Some((block, row)) = rest.next() {
+                let scaled = times_diagonal(block, d);
+                let transpose = transposed(scaled);
+                if let Some(target) = diagonal.get_mut(*row as usize) {
+                    subtract_symmetric(target, block, &scaled);
+                }
+                // The column of `row` has an entry for each one below it here, both in ascending order.
+                let targets = structure.column(*row);
+                let target_rows = structure.rows(targets.clone());
+                let target_blocks = after.get_mut(targets.start - entries.end..targets.end - entries.end);
+                let mut targets = target_rows.iter().zip(target_blocks.unwrap_or_default());
+                for (below, row) in rest.clone() {
+                    if let Some((_, target)) = targets.find(|(target_row, _)| *target_row == row) {
+                        *target = minus_product(*target, *below, transpose);
+                    }
+                }
+            }
+        }
+        true
+    }
+
+    /// Writes A⁻¹ r to `out`, both by slot; 0 where held.
+    pub fn solve(&mut self, r: &[[R; 3]], out: &mut [[R; 3]]) {
+        let Self { structure, blocks, diagonal, solution } = self;
+        let turns = diagonal.len() as u32;
+        for (value, slot) in solution.iter_mut().zip(structure.slot_at) {
+            *value = at(r, *slot);
+        }
+        for turn in 0..turns {
+            let pivot = at(diagonal, turn);
+            let known = solve_lower(pivot, at(solution, turn));
+            let entries = structure.column(turn);
+            for (row, block) in structure.rows(entries.clone()).iter().zip(blocks.get(entries).unwrap_or_default()) {
+                put(solution, *row, subtract_rows(at(solution, *row), block, known));
+            }
+            put(solution, turn, solve_diagonal(pivot, known));
+        }
+        for turn in (0..turns).rev() {
+            let entries = structure.column(turn);
+            let blocks = blocks.get(entries.clone()).unwrap_or_default();
+            let value = structure
+                .rows(entries)
+                .iter()
+                .zip(blocks)
+                .fold(at(solution, turn), |value, (row, block)| subtract_columns(value, block, at(solution, *row)));
+            put(solution, turn, solve_upper(at(diagonal, turn), value));
+        }
+        for (value, turn) in out.iter_mut().zip(structure.turn_of) {
+            *value = at(solution, *turn);
+        }
+    }
+}
+
+/// b P, where P is what a support allows.
+fn allowed<R: Real>(block: Block<R>, support: Support<R>) -> Block<R> {
+    block.map(|[a, b, c, _]| {
+        let [a, b, c] = support.allow([a, b, c]);
+        [a, b, c, R::ZERO]
+    })
+}
+
+/// P b P + m (I − P).
+fn confined<R: Real>([xx, yy, zz, xy, xz, yz]: Symmetric<R>, support: Support<R>, m: R) -> Symmetric<R> {
+    let o = R::ZERO;
+    let block = allowed([[xx, xy, xz, o], [xy, yy, yz, o], [xz, yz, zz, o]], support);
+    let [[xx, xy, xz, _], [_, yy, yz, _], [_, _, zz, _]] = allowed(transposed(block), support);
+    let unit = [[R::ONE, o, o, o], [o, R::ONE, o, o], [o, o, R::ONE, o]];
+    let [[pxx, pxy, pxz, _], [_, pyy, pyz, _], [_, _, pzz, _]] = allowed(unit, support);
+    [
+        xx + m * (R::ONE - pxx),
+        yy + m * (R::ONE - pyy),
+        zz + m * (R::ONE - pzz),
+        xy - m * pxy,
+        xz - m * pxz,
+        yz - m * pyz,
+    ]
+}

@@ -1,0 +1,91 @@
+//! Where the entries of the factor are, and what it takes to compute them.
+
+use super::ordering::{NONE, Ordering};
+use super::worth::Elimination;
+use crate::Real;
+use crate::vectors::{at, put};
+use crate::world::System;
+
+/// The structure of a factor, turn by turn.
+#[derive(Clone, Copy)]
+pub struct Structure<'a> {
+    /// When each slot is eliminated; [`NONE`] where held.
+    pub turn_of: &'a [u32],
+    /// The slot that each turn eliminates.
+    pub slot_at: &'a [u32],
+    /// Where the entries of each turn's column end.
+    pub column_end: &'a [u32],
+    /// The turns of those entries, ascending in each column.
+    pub rows: &'a [u32],
+    /// The entry that each spring adds to; [`NONE`] where an end is held.
+    pub entry_of: &'a [u32],
+}
+
+impl<'a> Structure<'a> {
+    /// The entries of a turn's column.
+    #[inline(always)]
+    pub fn column(&self, turn: u32) -> core::ops::Range<usize> {
+        let start = turn.checked_sub(1).map_or(0, |before| at(self.column_end, before));
+        start as usize..at(self.column_end, turn) as usize
+    }
+
+    /// The turns of some entries.
+    #[inline(always)]
+    pub fn rows(&self, entries: core::ops::Range<usize>) -> &'a [u32] {
+        self.rows.get(entries).unwrap_or_default()
+    }
+}
+
+/// Orders the particles and lays out the factor; the first links become the entries of the springs. Nothing if there are
+/// more entries than there is room for.
+pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> Option<Elimination> {
+    let particles = ordering.find(system)?;
+    let Ordering { turn_of, column_end, rows, links: entry_of, .. } = ordering;
+    let mut elimination = Elimination { particles, blocks: 0, products: 0.0 };
+    let mut start = 0;
+    for end in column_end.iter().take(particles as usize) {
+        let column = rows.get_mut(start as usize..*end as usize).unwrap_or_default();
+        for row in column.iter_mut() {
+            *row = at(turn_of, *row);
+        }
+        column.sort_unstable();
+        let entries = f64::from(*end - start);
+        // Each entry is divided by its pivot, and multiplied with itself and with those below it.
+        elimination.products += 1.0 + entries + 0.5 * entries * (entries + 1.0);
+        elimination.blocks = *end;
+        start = *end;
+    }
+    for (spring, ends) in (0..).zip(system.springs.ends) {
+        put(entry_of, spring, entry(ends.map(|slot| at(turn_of, slot)), column_end, rows));
+    }
+    Some(elimination)
+}
+
+/// The entry where two turns meet.
+fn entry([a, b]: [u32; 2], column_end: &[u32], rows: &[u32]) -> u32 {
+    let (column, row) = (a.min(b), a.max(b));
+    if row == NONE {
+        return NONE;
+    }
+    let start = column.checked_sub(1).map_or(0, |before| at(column_end, before));
+    let entries = rows.get(start as usize..at(column_end, column) as usize).unwrap_or_default();
+    entries.binary_search(&row).map_or(NONE, |place| start + place as u32)
+}
+
+/// A number that tells one topology from another: who is joined to whom, and who is held.
+pub fn fingerprint<R: Real>(system: &System<'_, R>) -> u64 {
+    // Multiplication by an odd number loses nothing (Knuth's golden ratio in 64 bits); the shift brings the upper half down.
+    let mix = |hash: u64, value: u64| {
+        let mixed = (hash ^ value).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        mixed ^ (mixed >> 32)
+    };
+    let start = u64::from(system.plan.attached) << 32 | u64::from(system.plan.springs);
+    let joined =
+        system.springs.ends.iter().fold(mix(1, start), |hash, &[i, j]| mix(hash, u64::from(i) << 32 | u64::from(j)));
+    if system.plan.held == 0 {
+        return joined;
+    }
+    (0..system.plan.attached)
+        .filter(|slot| !system.is_dynamic(*slot))
+        .fold(joined, |hash, slot| mix(hash, u64::from(slot)))
+}
