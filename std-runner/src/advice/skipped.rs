@@ -45,6 +45,13 @@ pub fn skipped(plan: &Plan) -> Vec<String> {
                 counted(u64::from(plan.particles), "particle")
             ));
         }
+        if plan.on_diagonals > 0 {
+            lines.push(format!(
+                "gathering the ends of {} of {}: they lie a constant number of particles apart",
+                count(u64::from(plan.on_diagonals)),
+                counted(u64::from(plan.springs), "spring")
+            ));
+        }
         if plan.damped == Coverage::None {
             lines.push("spring damping: no spring is damped, so the forces read no velocities".to_owned());
         }

@@ -1,5 +1,6 @@
 //! What can be asked.
 
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use crate::scene::{Overrides, Starter};
@@ -77,6 +78,9 @@ pub(super) struct RunArguments {
     /// Without it nothing is recorded.
     #[arg(short, long, value_name = "FILE")]
     pub(super) out: Vec<PathBuf>,
+    /// Threads that share the work of each step; the bits are the same with any number. Default: as many as the machine has where the scene is large enough to gain.
+    #[arg(long, value_name = "N")]
+    pub(super) threads: Option<NonZeroU32>,
     /// Do not keep the energy ledger, which costs two passes over the springs a step.
     #[arg(long)]
     pub(super) no_ledger: bool,

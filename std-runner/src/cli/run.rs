@@ -1,6 +1,7 @@
 //! `hooke run`: a scene simulated and recorded.
 
 use std::io::{ErrorKind, IsTerminal, stderr, stdout};
+use std::num::NonZeroU32;
 
 use super::Outcome;
 use super::arguments::RunArguments;
@@ -22,12 +23,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
     let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
     match loaded.scene.settings().precision {
-        Precision::F32 => run_in::<f32>(&loaded, &outputs, !arguments.no_ledger),
-        Precision::F64 => run_in::<f64>(&loaded, &outputs, !arguments.no_ledger),
+        Precision::F32 => run_in::<f32>(&loaded, &outputs, arguments),
+        Precision::F64 => run_in::<f64>(&loaded, &outputs, arguments),
     }
 }
 
-fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, ledger: bool) -> Result<Outcome, Failure> {
+fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArguments) -> Result<Outcome, Failure> {
     let (model, settings) = (&loaded.model, loaded.scene.settings());
     let begin = |start: &Start| {
         let recording = Recording { model, settings, start };
@@ -38,7 +39,12 @@ fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, ledger: bool) -> Result
     // Rows that scroll past and a bar that stays do not go together.
     let rows_on_terminal = outputs.to_standard_output() && stdout().is_terminal();
     let progress = Bar::new(stderr().is_terminal() && !rows_on_terminal);
-    let options = Options { ledger, interrupted: interrupt::watch(), progress: &progress };
+    let options = Options {
+        ledger: !arguments.no_ledger,
+        threads: arguments.threads.map(NonZeroU32::get),
+        interrupted: interrupt::watch(),
+        progress: &progress,
+    };
     let ran = simulate::<R>(model, settings, begin, &options);
     progress.clear();
     match ran {
@@ -56,6 +62,7 @@ fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Ou
         RunError::Build(error) => Err(out_of_range(&error)),
         RunError::Endless(start) => Err(endless(settings, &start)),
         RunError::Begin(error) => Err(Failure::input(error.to_string(), "choose another place to record to")),
+        RunError::Threads(_) => Err(Failure::failed(error.to_string(), "ask for fewer: --threads 1")),
         RunError::Thread(_) => Err(Failure::failed(error.to_string(), "end other programs, or run it without --out")),
         // Who reads the rows has seen enough.
         RunError::Record { error, .. }

@@ -8,6 +8,7 @@ mod method;
 mod run;
 mod schedule;
 mod summary;
+mod threads;
 mod time_step;
 mod tracks;
 
@@ -17,4 +18,5 @@ pub use method::{AnyResponse, AnyStepper, FILL};
 pub use run::{Options, Progress, RunError, Start, run};
 pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
+pub use threads::Threads;
 pub use time_step::choose_time_step;

@@ -3,13 +3,14 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use hooke::{Ledger, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View};
+use hooke::{Ledger, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
 
 use super::build::{BuildError, HeapWorld, world};
 use super::frames::Frames;
 use super::method::{AnyResponse, AnyStepper};
 use super::schedule::{MOST, Schedule};
 use super::summary::{Ending, Summary};
+use super::threads::Threads;
 use super::time_step::choose_time_step;
 use super::tracks::Tracks;
 use crate::model::Model;
@@ -20,6 +21,8 @@ use crate::scene::Settings;
 pub struct Options<'a> {
     /// Whether the energy ledger is kept; it costs two passes over the springs a step.
     pub ledger: bool,
+    /// Threads that share the work of each step; nothing for as many as there are where that gains time.
+    pub threads: Option<u32>,
     /// Set from outside to end the run after the step that it is at.
     pub interrupted: &'a AtomicBool,
     /// Told of each step.
@@ -44,6 +47,9 @@ pub enum RunError {
     /// A recording could not be begun. Nothing has been stepped.
     #[error(transparent)]
     Begin(RecordError),
+    /// The system has no threads to step on. Nothing has been stepped.
+    #[error("no threads can be started to step on: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
     /// The system has no thread to record on. Nothing has been stepped.
     #[error("no thread can be started to record on: {0}")]
     Thread(std::io::Error),
@@ -112,6 +118,7 @@ pub fn run<R: Sample>(
     if !start.schedule.is_countable() {
         return Err(RunError::Endless(Box::new(start)));
     }
+    let threads = Threads::of(options.threads, &start.plan)?;
     let recorders = begin(&start).map_err(RunError::Begin)?;
     let mut run = Run {
         frames: Frames::new(start.schedule, recorders, model.particles.len()).map_err(RunError::Thread)?,
@@ -120,6 +127,7 @@ pub fn run<R: Sample>(
             stepper: AnyStepper::named(settings.stepper, settings.tolerance),
             response: AnyResponse::named(settings.collision),
             ledger: options.ledger.then(|| Ledger::open(&world.view())),
+            threads,
         },
     };
     let began = Instant::now();
@@ -127,6 +135,7 @@ pub fn run<R: Sample>(
     let _ = run.steps(&mut world, &tracks, options);
     let taken = run.frames.finish();
     taken.result.map_err(|error| RunError::Record { error, frames: taken.frames })?;
+    run.summary.threads = run.method.threads.as_ref().map_or(1, Workers::count);
     run.summary.frames = taken.frames;
     run.summary.waiting = taken.waiting;
     run.summary.recording = taken.recording;
@@ -145,6 +154,7 @@ fn summary(start: Start) -> Summary {
         steps: 0,
         frames: 0,
         plan: start.plan,
+        threads: 1,
         bound: start.bound,
         time_step: start.time_step,
         choices: Vec::new(),
@@ -169,6 +179,7 @@ struct Method<R: Sample> {
     stepper: AnyStepper<R>,
     response: AnyResponse<R>,
     ledger: Option<Ledger>,
+    threads: Option<Threads>,
 }
 
 struct Run<R: Sample> {
@@ -242,7 +253,7 @@ impl<R: Sample> Run<R> {
 }
 
 impl<R: Sample> Method<R> {
-    fn step(&mut self, view: &mut View<'_, R>, length: R, end: f64) -> Result<StepReport, StepError> {
+    fn step<'a>(&'a mut self, view: &mut View<'a, R>, length: R, end: f64) -> Result<StepReport, StepError> {
         fn take<R: Sample>(
             view: &mut View<'_, R>,
             stepper: &mut AnyStepper<R>,
@@ -252,6 +263,9 @@ impl<R: Sample> Method<R> {
             observer: &mut impl Observer<R>,
         ) -> Result<StepReport, StepError> {
             view.step_to(stepper, response, length, end, observer)
+        }
+        if let Some(threads) = &self.threads {
+            view.share_among(threads);
         }
         match &mut self.ledger {
             Some(ledger) => take(view, &mut self.stepper, &mut self.response, length, end, ledger),

@@ -35,6 +35,8 @@ pub struct Summary {
     pub steps: u64,
     /// Frames made.
     pub frames: u64,
+    /// Threads that shared the work of each step.
+    pub threads: u32,
     /// What the world needed, and so what was left out.
     pub plan: Plan,
     /// The stability bounds at the start.

@@ -81,7 +81,8 @@ fn wall_time(summary: &Summary) -> String {
     let each = summary
         .nanoseconds_per_spring_step()
         .map_or_else(String::new, |nanoseconds| format!("; {nanoseconds:.1} ns per spring and step"));
-    format!("stepping {stepping}{recording}{each}")
+    let threads = if summary.threads > 1 { format!(" on {} threads", summary.threads) } else { String::new() };
+    format!("stepping {stepping}{threads}{recording}{each}")
 }
 
 /// Of the implicit steppers.

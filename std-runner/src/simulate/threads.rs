@@ -1,0 +1,42 @@
+//! A pool of threads that share the work of a step.
+
+use hooke::{Plan, Workers};
+
+/// Springs that are worth a second thread: from here on a step takes longer than waking the others, several times over.
+const WORTH_SHARING: u32 = 100_000;
+
+/// A pool of threads.
+#[derive(Debug)]
+pub struct Threads {
+    pool: rayon::ThreadPool,
+}
+
+impl Threads {
+    /// As many as are asked for, or as the machine can run at once where a world is large enough to gain by it; nothing
+    /// if that is one.
+    ///
+    /// # Errors
+    /// If the system has no more threads to give.
+    pub fn of(asked: Option<u32>, plan: &Plan) -> Result<Option<Self>, rayon::ThreadPoolBuildError> {
+        let count = match asked {
+            Some(count) => count as usize,
+            None if plan.springs >= WORTH_SHARING => std::thread::available_parallelism().map_or(1, usize::from),
+            None => 1,
+        };
+        if count < 2 {
+            return Ok(None);
+        }
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build()?;
+        Ok(Some(Self { pool }))
+    }
+}
+
+impl Workers for Threads {
+    fn count(&self) -> u32 {
+        self.pool.current_num_threads().try_into().unwrap_or(u32::MAX)
+    }
+
+    fn both(&self, first: &mut (dyn FnMut() + Send), second: &mut (dyn FnMut() + Send)) {
+        self.pool.install(|| rayon::join(first, second));
+    }
+}
