@@ -1,0 +1,113 @@
+//! One step of semi-implicit Euler against the textbook loop, in one run: contenders take turns, the best round counts.
+//!
+//! `cargo run --release -p hooke-benches --bin against-textbook [SCENE…]` prints a table and, without scenes named,
+//! writes `benches/results/step.csv`.
+
+#![allow(clippy::expect_used, reason = "a benchmark that cannot be set up has nothing to measure")]
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use glam::{DVec3, Vec3, Vec3A};
+use hooke::{Lanes, Project, Real, SemiImplicitEuler, VelocityVerlet};
+use hooke_benches::interleaved::{Contender, least_times};
+use hooke_benches::mesh::irregular;
+use hooke_benches::scenes::{GRAVITY, balls, block, cloth, rope, ropes};
+use hooke_benches::stamp::stamp;
+use hooke_benches::textbook::{Response, Textbook};
+use hooke_benches::vector::{Scalar, Vector};
+use hooke_runner::model::Model;
+use hooke_runner::simulate::{Heap, Threads, world};
+
+/// s; stable on all of these scenes.
+const TIME_STEP: f64 = 1e-4;
+const ROUNDS: u32 = 7;
+
+fn main() -> std::io::Result<()> {
+    let asked: Vec<String> = std::env::args().skip(1).collect();
+    let scenes: [(&str, fn() -> Model); 13] = [
+        ("cloth-32", || cloth(32, 0.05)),
+        ("cloth-64", || cloth(64, 0.05)),
+        ("cloth-256", || cloth(256, 0.05)),
+        ("cloth-1024", || cloth(1024, 0.05)),
+        ("cloth-64-undamped", || cloth(64, 0.0)),
+        ("rope-1000", || rope(1000)),
+        ("rope-100000", || rope(100_000)),
+        ("block-16", || block(16)),
+        ("block-64", || block(64)),
+        ("mesh-64", || irregular(64)),
+        ("mesh-256", || irregular(256)),
+        ("ropes-1000x100", || ropes(1000, 100)),
+        ("balls-100000", || balls(100_000)),
+    ];
+    let mut csv = format!("# {}\nscene,contender,springs,particles,ns_per_step\n", stamp());
+    for (name, make) in scenes {
+        if asked.is_empty() || asked.iter().any(|asked| asked == name) {
+            race(name, &make(), &mut csv);
+        }
+    }
+    if asked.is_empty() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("results");
+        std::fs::create_dir_all(&folder)?;
+        std::fs::write(folder.join("step.csv"), csv)?;
+    }
+    Ok(())
+}
+
+fn race(name: &str, model: &Model, csv: &mut String) {
+    let (springs, particles) = (model.springs.len(), model.particles.len());
+    let items = if springs > 0 { springs } else { particles };
+    let mut contenders = vec![
+        textbook::<Vec3>("Vec3 f32", model),
+        textbook::<Vec3A>("Vec3A f32", model),
+        textbook::<DVec3>("DVec3 f64", model),
+        ours::<f32>("f32 baseline", model, Lanes::Baseline, 1),
+        ours::<f32>("f32 AVX2", model, Lanes::Avx2, 1),
+        ours::<f32>("f32", model, Lanes::Avx512, 1),
+        ours::<f32>("f32 two threads", model, Lanes::Avx512, 2),
+        ours::<f64>("f64", model, Lanes::Avx512, 1),
+        verlet::<f32>("Verlet f32", model),
+    ];
+    let steps = (4_000_000 / items).clamp(1, 2000) as u32;
+    let times = least_times(&mut contenders, ROUNDS, steps);
+    let single = times[0].min(times[1]);
+    println!("{name}: {springs} springs, {particles} particles");
+    for (index, ((contender, _), time)) in contenders.iter().zip(&times).enumerate() {
+        let rival = if contender.contains("f64") { times[2] } else { single };
+        let ratio = if index < 3 { String::new() } else { format!("{:6.2} times the textbook", rival / time) };
+        println!("  {contender:24}{:8.2} ns per {} {ratio}", time / items as f64, if springs > 0 { "spring" } else { "particle" });
+        let _ = writeln!(csv, "{name},{contender},{springs},{particles},{time:.0}");
+    }
+}
+
+fn textbook<V: Vector + 'static>(label: &str, model: &Model) -> Contender<'static>
+where
+    V::Real: Scalar + 'static,
+{
+    let mut textbook = Textbook::<V>::new(model, GRAVITY, Response::Project).expect("no keyframes");
+    let dt = V::Real::from_f64(TIME_STEP);
+    (format!("textbook {label}"), Box::new(move || textbook.step_semi_implicit_euler(dt)))
+}
+
+fn ours<R: Real>(label: &str, model: &Model, lanes: Lanes, threads: u32) -> Contender<'static> {
+    let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
+    world.set_lanes(lanes);
+    let threads = Threads::of(Some(threads), world.view().plan()).expect("threads to be had");
+    let step = move || {
+        let mut view = world.view();
+        if let Some(threads) = &threads {
+            view.share_among(threads);
+        }
+        view.step(&mut SemiImplicitEuler, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
+    };
+    (format!("hooke {label}"), Box::new(step))
+}
+
+fn verlet<R: Real>(label: &str, model: &Model) -> Contender<'static> {
+    let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
+    let mut stepper = VelocityVerlet::<R, Heap>::new();
+    let step = move || {
+        world.step(&mut stepper, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
+    };
+    (format!("hooke {label}"), Box::new(step))
+}
