@@ -23,6 +23,9 @@ pub fn double_roots(squares: &[f64], out: &mut [f64]) {
 }
 
 /// A loop over roots in single precision, where the instruction set is chosen at run time.
+///
+/// # Safety
+/// The machine has AVX2.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2")]
@@ -31,6 +34,9 @@ pub fn single_roots_avx2(squares: &[f32], out: &mut [f32]) {
 }
 
 /// A loop over roots in double precision, where the instruction set is chosen at run time.
+///
+/// # Safety
+/// The machine has AVX2.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2")]
