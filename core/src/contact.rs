@@ -4,13 +4,10 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::reach::Reach;
+use crate::rounding::rounding;
 use crate::types::Plane;
 use crate::vectors::{Columns, ColumnsMut, across, at, cross, dot, fetch, read, scaled, size, store};
 use crate::world::System;
-
-/// Roundings that a position or a velocity may be away from a plane's and still count as on it: a dozen operations
-/// at most lie between a hit and the next test, each wrong by half an EPSILON of the largest term.
-const ROUNDINGS: f64 = 32.0;
 
 /// The directions that planes take from a particle at rest on them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,12 +34,6 @@ impl<R: Real> Support<R> {
             Self::All => [R::ZERO; 3],
         }
     }
-}
-
-/// What roundings may leave of a number of this size.
-#[inline]
-pub fn rounding<R: Real>(size: R) -> R {
-    R::from_f64(ROUNDINGS) * R::EPSILON * size
 }
 
 /// The gap (m) up to which a particle counts as touching a plane.

@@ -28,7 +28,7 @@
 //! # How it is built
 //!
 //! Imports point one way:
-//! `real ← types ← world ← roles, contact ← forces ← solve, collisions ← steppers ← step`.
+//! `real ← lanes ← types ← world ← roles, reach ← contact ← forces ← solve, collisions ← steppers ← step`.
 //!
 //! - [`Real`] is `f32` or `f64`; nothing else in here knows which.
 //! - A [`Container`] holds columns, one a quantity (`world/layout.rs` lists them with their bytes), in whatever its
@@ -36,8 +36,13 @@
 //!   never a world, so one compiled copy serves every capacity.
 //! - A world is prepared when it is first viewed: particles that springs pull at come before those in free flight, each
 //!   gets a list of its springs, and a [`Plan`] says what there is, so that a step leaves out what there is not.
-//! - Forces take two passes without a write conflict: one scalar a spring (`forces/densities.rs`: the hot loop), then one
-//!   sum a particle (`forces/accelerations.rs`).
+//! - Springs are sorted into the order in which their forces are added (`world/order.rs`). Those whose ends lie a constant
+//!   number of slots apart, most of a rope, a cloth or a block, form pieces of diagonals (`world/pieces.rs`), along which
+//!   nothing has to be gathered; the others are gathered a few at a time.
+//! - Forces take one pass over tiles of particles (`forces/tiles.rs`), each tile being stepped while it is in the first
+//!   cache. The hot loop is in `forces/diagonal.rs`; it is compiled for several sets of vector instructions ([`Lanes`]), and
+//!   tiles may be shared among threads ([`Workers`]).
+//! - What no tile can reach is not tested for hits (`reach.rs`).
 //! - A [`Stepper`] makes the next state from the current one, beside it; a [`Response`] answers the collisions on the way
 //!   and makes the next state the current one. So a step that fails leaves the state as it was.
 //! - An [`Observer`] such as the [`Ledger`] follows the parts of a step, and costs nothing where there is none.
@@ -62,6 +67,7 @@ mod ledger;
 mod reach;
 mod real;
 mod roles;
+mod rounding;
 mod solve;
 mod square_root;
 mod stability;

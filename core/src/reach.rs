@@ -3,10 +3,10 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::contact::rounding;
 use crate::lanes::{self, Kernel, Lanes};
+use crate::rounding::rounding;
 use crate::types::Plane;
-use crate::vectors::{Columns, triples, window};
+use crate::vectors::{Columns, read, triples, window};
 use crate::world::{State, TILE};
 
 /// Boxes that are grown at once, one a lane: the largest and the smallest of many are found lane by lane.
@@ -31,7 +31,6 @@ impl<R: Real> Reach<R> {
 
     /// Of particles on parabolas from one state to the other, `dt` seconds later.
     pub fn between(lanes: Lanes, from: &State<'_, R>, to: &State<'_, R>, dt: R, slots: Range<u32>) -> Self {
-        use crate::vectors::read;
         let [from_position, velocity, to] =
             [&from.position, &from.velocity, &to.position].map(|columns| window(read(columns), slots.clone()));
         lanes::run(lanes, Grow { from: from_position, velocity, to, dt })

@@ -75,7 +75,11 @@ fn race(name: &str, model: &Model, csv: &mut String) {
     for (index, ((contender, _), time)) in contenders.iter().zip(&times).enumerate() {
         let rival = if contender.contains("f64") { times[2] } else { single };
         let ratio = if index < 3 { String::new() } else { format!("{:6.2} times the textbook", rival / time) };
-        println!("  {contender:24}{:8.2} ns per {} {ratio}", time / items as f64, if springs > 0 { "spring" } else { "particle" });
+        println!(
+            "  {contender:24}{:8.2} ns per {} {ratio}",
+            time / items as f64,
+            if springs > 0 { "spring" } else { "particle" }
+        );
         let _ = writeln!(csv, "{name},{contender},{springs},{particles},{time:.0}");
     }
 }

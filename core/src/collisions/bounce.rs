@@ -1,7 +1,8 @@
 //! One particle between planes: where its path meets them, what a bounce does, and how it comes to rest.
 
 use crate::Real;
-use crate::contact::{Support, lies_on, resting, rounding, support, support_by, touching};
+use crate::contact::{Support, lies_on, resting, support, support_by, touching};
+use crate::rounding::rounding;
 use crate::types::Plane;
 use crate::vectors::{across, along, dot, size};
 use crate::world::System;

@@ -6,10 +6,11 @@ use super::stop::stop_all;
 use core::ops::Range;
 
 use crate::Real;
-use crate::contact::{lies_on, resting, rounding, support, touching};
+use crate::contact::{lies_on, resting, support, touching};
 use crate::forces::pull;
 use crate::reach::{Reach, tiles};
 use crate::roles::{Observer, Response, Stepper};
+use crate::rounding::rounding;
 use crate::types::{Full, Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, size, store};
 use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View};
