@@ -7,12 +7,14 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-from peers import ACCURACY_SCENES, SPRING_SCENES  # noqa: E402
+from peers import ACCURACY, ACCURACY_SCENES, SPRING_SCENES  # noqa: E402
 
 HOOKE = "#d1361f"
 INK, FAINT, BAND = "#22303c", "#d5dbe0", "#fdf0ea"
 SCENE_COLOURS = ["#1b4f72", "#2e86c1", "#85c1e9", "#1e8449", "#b7950b", "#8e44ad"]
 PEER_COLOURS = ["#1b4f72", "#2e86c1", "#1e8449", "#76b041", "#b7950b", "#8e44ad", "#7f8c8d", "#34495e", "#c27ba0"]
+LARGE_PEERS = {"marker": "x", "s": 32, "color": "#7f8c8d"}
+LARGE_OURS = {"marker": "*", "s": 80, "color": HOOKE}
 STYLE = {
     "font.family": "DejaVu Sans",
     "font.size": 9,
@@ -34,6 +36,9 @@ def write(rows, path):
         throughput(upper.subplots(), [row for row in rows if row.table == "springs" and row.repeats])
         for axes, scene in zip(lower.subplots(1, 2), ACCURACY_SCENES):
             accuracy(axes, scene, [row for row in rows if row.scene == scene and row.repeats])
+        # Both panels draw the same peers in the same colours.
+        handles = {label: handle for axes in lower.axes for handle, label in zip(*axes.get_legend_handles_labels())}
+        lower.legend(handles.values(), handles, frameon=False, fontsize=8, loc="outside lower center", ncols=4)
         figure.savefig(path, metadata={"Date": None, "Title": "Hooke beside its peers"})
         plt.close(figure)
 
@@ -88,11 +93,12 @@ def throughput(axes, rows):
 def accuracy(axes, scene, rows):
     """Time to t = 1 s against the error there; large steps are single points."""
     rows = [row for row in rows if row.table in ("accuracy", "frames")]
-    colours = iter(PEER_COLOURS * 3)
+    others = [peer for peer in ACCURACY if peer.family != "hooke"]
+    colour_of = dict(zip([peer.name for peer in others], PEER_COLOURS))
     for peer in unique(row.peer for row in rows if row.table == "accuracy"):
         points = [(row.error, row.median) for row in rows if row.peer is peer]
         ours = peer.family == "hooke"
-        colour, width = (HOOKE, 2.2) if ours else (next(colours), 1.3)
+        colour, width = (HOOKE, 2.2) if ours else (colour_of[peer.name], 1.3)
         dashes = {"semi-implicit Euler": "-", "velocity Verlet": "--"}.get(peer.scheme, "-.") if ours else "-"
         mark = ("s" if peer.name.endswith("f32") else "D") if ours else "o"
         label = peer.label
@@ -101,10 +107,10 @@ def accuracy(axes, scene, rows):
     for row in large:
         ours = row.peer.family == "hooke"
         # Milliseconds a frame, 60 of them.
-        axes.scatter(row.error, 60 * row.median, marker="*" if ours else "x", s=70 if ours else 32, color=HOOKE if ours else "#7f8c8d", zorder=3)
+        axes.scatter(row.error, 60 * row.median, zorder=3, **(LARGE_OURS if ours else LARGE_PEERS))
     if large:
-        axes.scatter([], [], marker="x", s=32, color="#7f8c8d", label="implicit peers, large steps")
-        axes.scatter([], [], marker="*", s=70, color=HOOKE, label="Hooke implicit, large steps")
+        axes.scatter([], [], label="peers at large steps", **LARGE_PEERS)
+        axes.scatter([], [], label="Hooke at large steps", **LARGE_OURS)
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter(plain)
@@ -112,5 +118,4 @@ def accuracy(axes, scene, rows):
     axes.grid(which="major", color=FAINT, linewidth=0.7)
     axes.set_xlabel("largest position error at t = 1 s, m (right is better)")
     axes.set_ylabel("processor time to t = 1 s, ms (lower is better)")
-    axes.legend(frameon=False, fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
     headline(axes, f"Time against error, {scene}", "each curve: one method at several time steps or tolerances")
