@@ -5,7 +5,6 @@ import datetime
 import math
 import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -177,7 +176,13 @@ def main():
         return show(rows, RESULTS, *about)
 
     def chosen(table):
-        return [peer for peer in table if not arguments.only or peer.family == "hooke" or arguments.only.lower() in f"{peer.name} {peer.label}".lower()]
+        return [
+            peer
+            for peer in table
+            if not arguments.only
+            or peer.family == "hooke"
+            or arguments.only.lower() in f"{peer.name} {peer.label}".lower()
+        ]
 
     effort = Effort(repeats=3, seconds=0.03) if arguments.quick else Effort(repeats=7, seconds=0.2)
     scenes = ["cloth-32", "rope-1000"] if arguments.quick else peers.SPRING_SCENES

@@ -68,6 +68,10 @@ function run({ setting, duration, state }) {
   return { cpu: (user + system) * 1e-6, position };
 }
 
+process.on("uncaughtException", (error) => {
+  console.error(String(error));
+  process.exit(1);
+});
 const answer = (values) => process.stdout.write(`${JSON.stringify(values)}\n`);
 // Long enough for the compiler to have seen what it needs.
 const steps = Math.max(2, Math.min(200, Math.round(2e5 / scene.mass.length)));

@@ -10,7 +10,15 @@ import tomllib
 from peers import ACCURACY_SCENES, FRAME, FRAME_SCENE, SPRING_SCENES, TIME_STEP
 from workers import HERE, MADE
 
-PACKAGES = {"numpy": ["numpy"], "scipy": ["scipy", "numba"], "numba": ["numba"], "taichi": ["taichi"], "warp": ["warp-lang"], "newton": ["newton", "warp-lang"], "mujoco": ["mujoco"]}
+PACKAGES = {
+    "numpy": ["numpy"],
+    "scipy": ["scipy", "numba"],
+    "numba": ["numba"],
+    "taichi": ["taichi"],
+    "warp": ["warp-lang"],
+    "newton": ["newton", "warp-lang"],
+    "mujoco": ["mujoco"],
+}
 CRATES = {"textbook": "glam", "ode_solvers": "ode_solvers", "diffsol": "diffsol", "rapier3d": "rapier3d"}
 
 
@@ -26,7 +34,9 @@ def version(family):
     """Of what was measured."""
     try:
         if family == "hooke":
-            described = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=HERE, capture_output=True, text=True, check=True)
+            described = subprocess.run(
+                ["git", "describe", "--always", "--dirty"], cwd=HERE, capture_output=True, text=True, check=True
+            )
             return described.stdout.strip()
         if family == "cannon":
             return "cannon-es " + json.loads((MADE / "node/node_modules/cannon-es/package.json").read_text())["version"]
@@ -105,13 +115,18 @@ def springs(rows):
         lines.append([name(peer), *cells, error, order])
     apart = []
     for peer in unique(row.peer for row in rows):
-        far = [f"{scene} {small(at[peer, scene].error)}" for scene in scenes if scene != "cloth-32" and math.isfinite(at[peer, scene].error)]
+        far = [
+            f"{scene} {small(at[peer, scene].error)}"
+            for scene in scenes
+            if scene != "cloth-32" and math.isfinite(at[peer, scene].error)
+        ]
         if far:
             apart.append(f"- {name(peer)}: " + ", ".join(far))
     return (
         f"## Semi-implicit Euler, {TIME_STEP:g} s a step: ns per spring and step (balls: per particle)\n"
         + table(["", *scenes, "error, m", "order"], lines)
-        + "\n“error” is the largest position error on cloth-32 at t = 1 s, “order” what halving the step makes of it: the scheme itself has 5.16e-03 m there.\n"
+        + "\n“error” is the largest position error on cloth-32 at t = 1 s, “order” what halving the step makes of it: "
+        + "the scheme itself has 5.16e-03 m there.\n"
         + "\nLargest distance, m, from the f64 textbook loop on the other scenes after some steps (see the README):\n"
         + "\n".join(apart)
         + "\n"
@@ -119,7 +134,11 @@ def springs(rows):
 
 
 def references(rows):
-    met = [f"{row.scene}: {row.peer.label} at {row.setting:g} {small(row.error)} m" for row in rows if row.table == "reference"]
+    met = [
+        f"{row.scene}: {row.peer.label} at {row.setting:g} {small(row.error)} m"
+        for row in rows
+        if row.table == "reference"
+    ]
     if not met:
         return ""
     return "The references in `tests/reference` were met, largest distance at t = 1 s: " + "; ".join(met) + ".\n"
@@ -148,12 +167,18 @@ def frames(rows):
         return ""
     lines = []
     for row in rows:
-        setting = "1/60 s" if row.setting == FRAME else f"tolerance {row.setting:.0e}" if math.isfinite(row.setting) else ""
+        setting = (
+            "1/60 s" if row.setting == FRAME else f"tolerance {row.setting:.0e}" if math.isfinite(row.setting) else ""
+        )
         lines.append([name(row.peer), row.peer.scheme, setting, figure(row.median) or "–", small(row.error) or "–"])
     header = ["", "scheme", "step or tolerance", "ms per frame", "error at 1 s, m"]
     return f"## Large steps: {FRAME_SCENE}, 60 frames a second\n" + table(header, lines)
 
 
+def at_setting(row):
+    return "" if math.isnan(row.setting) else f" at {row.setting:.3g}"
+
+
 def absent(rows):
-    noted = [f"- {row.table}, {row.scene}, {row.peer.label}{'' if math.isnan(row.setting) else f' at {row.setting:.3g}'}: {row.note}" for row in rows if row.note]
+    noted = [f"- {row.table}, {row.scene}, {row.peer.label}{at_setting(row)}: {row.note}" for row in rows if row.note]
     return "## Without a figure, and why\n" + "\n".join(noted) + "\n" if noted else ""

@@ -15,7 +15,9 @@ class Kernels:
         planes = scene.plane_array()
         self.plane_count = len(planes)
         planes = np.vstack([planes, np.zeros((1, 5))])  # a field of nothing cannot be made
-        self.normal, self.offset, self.restitution = (field(part) for part in (planes[:, :3], planes[:, 3], planes[:, 4]))
+        self.normal, self.offset, self.restitution = (
+            field(part) for part in (planes[:, :3], planes[:, 3], planes[:, 4])
+        )
         self.inverse_mass = field(scene.inverse_mass)
         self.gravity = ti.math.vec3(*scene.gravity)
         self.x, self.v, self.force = (field(np.zeros_like(scene.position)) for _ in range(3))

@@ -17,7 +17,9 @@ CORE = "0"
 """All workers are pinned to this one."""
 PATIENCE = 300
 """s, for compiling as for one answer."""
-ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS")}
+ONE_THREAD = {
+    name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS", "RAYON_NUM_THREADS")
+}
 
 
 class Failed(Exception):
@@ -57,7 +59,11 @@ class Worker:
         if shutil.which("taskset"):
             command = ["taskset", "-c", CORE, *command]
         self.complaints = open(MADE / "complaints.txt", "w+")
-        caches = {"NUMBA_CACHE_DIR": MADE / "numba", "WARP_CACHE_PATH": MADE / "warp", "TI_OFFLINE_CACHE_FILE_PATH": MADE / "taichi"}
+        caches = {
+            "NUMBA_CACHE_DIR": MADE / "numba",
+            "WARP_CACHE_PATH": MADE / "warp",
+            "TI_OFFLINE_CACHE_FILE_PATH": MADE / "taichi",
+        }
         self.process = subprocess.Popen(
             [str(part) for part in command],
             stdin=subprocess.PIPE,
