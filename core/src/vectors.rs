@@ -157,7 +157,7 @@ pub fn split<R>([x, y, z]: ColumnsMut<'_, R>, index: u32) -> (ColumnsMut<'_, R>,
 
 /// The vectors of three columns.
 #[inline(always)]
-pub fn triples<'a, R: Real>([x, y, z]: Columns<'a, R>) -> impl Iterator<Item = [R; 3]> + 'a {
+pub fn triples<'a, R: Real>([x, y, z]: Columns<'a, R>) -> impl Iterator<Item = [R; 3]> + Clone + 'a {
     x.iter().zip(y).zip(z).map(|((x, y), z)| [*x, *y, *z])
 }
 

@@ -17,7 +17,7 @@ use hooke_benches::stamp::stamp;
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
 use hooke_runner::model::Model;
-use hooke_runner::simulate::{Heap, Threads, world};
+use hooke_runner::simulate::{Heap, HeapWorld, Threads, world};
 
 /// s; stable on all of these scenes.
 const TIME_STEP: f64 = 1e-4;
@@ -90,28 +90,38 @@ where
 {
     let mut textbook = Textbook::<V>::new(model, GRAVITY, Response::Project).expect("no keyframes");
     let dt = V::Real::from_f64(TIME_STEP);
-    (format!("textbook {label}"), Box::new(move || textbook.step_semi_implicit_euler(dt)))
+    let step = move |steps| (0..steps).for_each(|_| textbook.step_semi_implicit_euler(dt));
+    (format!("textbook {label}"), Box::new(step))
 }
 
 fn ours<R: Real>(label: &str, model: &Model, lanes: Lanes, threads: u32) -> Contender<'static> {
     let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
     world.set_lanes(lanes);
     let threads = Threads::of(Some(threads), world.view().plan()).expect("threads to be had");
-    let step = move || {
+    let step = move |steps: u32| match &threads {
+        Some(threads) => threads.during(|| repeat(&mut world, Some(threads), steps)),
+        None => repeat(&mut world, None, steps),
+    };
+    (format!("hooke {label}"), Box::new(step))
+}
+
+fn repeat<R: Real>(world: &mut HeapWorld<R>, threads: Option<&Threads>, steps: u32) {
+    for _ in 0..steps {
         let mut view = world.view();
-        if let Some(threads) = &threads {
+        if let Some(threads) = threads {
             view.share_among(threads);
         }
         view.step(&mut SemiImplicitEuler, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
-    };
-    (format!("hooke {label}"), Box::new(step))
+    }
 }
 
 fn verlet<R: Real>(label: &str, model: &Model) -> Contender<'static> {
     let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
     let mut stepper = VelocityVerlet::<R, Heap>::new();
-    let step = move || {
-        world.step(&mut stepper, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
+    let step = move |steps| {
+        for _ in 0..steps {
+            world.step(&mut stepper, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
+        }
     };
     (format!("hooke {label}"), Box::new(step))
 }

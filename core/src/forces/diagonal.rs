@@ -53,7 +53,7 @@ fn add_part<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Force
 /// Adds the forces of springs with these laws at the places where there are some.
 #[inline(always)]
 fn pull<R: Real, const DAMPED: bool>(
-    laws: impl Iterator<Item = (Law<R>, bool)>,
+    laws: impl Iterator<Item = (Law<R>, bool)> + Clone,
     piece: &Piece,
     forces: &mut Forces<'_, R>,
 ) -> u32 {
@@ -68,21 +68,26 @@ fn pull<R: Real, const DAMPED: bool>(
         window_mut(lend(&mut forces.nowhere), from(0))
     };
     let (position, velocity) = (forces.position, forces.velocity);
-    add_places::<R, DAMPED>(
-        laws,
-        [window(position, lower.clone()), window(position, upper.clone())],
-        [window(velocity, lower), window(velocity, upper)],
-        above_x,
-        above_y,
-        above_z,
-        below_x,
-        below_y,
-        below_z,
-    )
+    let position = [window(position, lower.clone()), window(position, upper.clone())];
+    let velocity = [window(velocity, lower), window(velocity, upper)];
+    let undirected =
+        add_places::<R, DAMPED>(laws.clone(), position, velocity, above_x, above_y, above_z, below_x, below_y, below_z);
+    if undirected == 0 { 0 } else { count_degenerate(laws, position) }
+}
+
+/// Of the places without a direction, those with a spring.
+#[cold]
+fn count_degenerate<R: Real>(laws: impl Iterator<Item = (Law<R>, bool)>, [x_i, x_j]: [Columns<'_, R>; 2]) -> u32 {
+    let places = triples(x_i).zip(triples(x_j)).zip(laws);
+    let degenerate = places.filter(|((x_i, x_j), (law, is_there))| {
+        *is_there && !force_density::<R, false>(*law, difference(*x_j, *x_i), [R::ZERO; 3]).1
+    });
+    degenerate.count() as u32
 }
 
 /// The loop itself. What it writes are arguments of their own, because only of those does the compiler know that
-/// nothing else overlaps them; else it would not vectorise.
+/// nothing else overlaps them; else it would not vectorise. Returns at how many places there is no direction, with or
+/// without a spring: which of those there are is too rare a question to be asked here.
 #[allow(clippy::too_many_arguments)]
 #[inline(always)]
 fn add_places<R: Real, const DAMPED: bool>(
@@ -98,7 +103,7 @@ fn add_places<R: Real, const DAMPED: bool>(
 ) -> u32 {
     let states = triples(x_i).zip(triples(x_j)).zip(triples(v_i).zip(triples(v_j)));
     let forces = triples_mut([above_x, above_y, above_z]).zip(triples_mut([below_x, below_y, below_z]));
-    let mut degenerate = 0;
+    let mut undirected = 0;
     for ((((x_i, x_j), (v_i, v_j)), (law, is_there)), (above, below)) in states.zip(laws).zip(forces) {
         let d = difference(x_j, x_i);
         let (q, has_direction) = force_density::<R, DAMPED>(law, d, difference(v_j, v_i));
@@ -107,7 +112,7 @@ fn add_places<R: Real, const DAMPED: bool>(
             *above += force;
             *below -= force;
         }
-        degenerate += u32::from(is_there & !has_direction);
+        undirected += u32::from(!has_direction);
     }
-    degenerate
+    undirected
 }

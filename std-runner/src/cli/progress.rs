@@ -1,6 +1,6 @@
 //! How far a run is, on a terminal.
 
-use std::cell::Cell;
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -18,11 +18,16 @@ const LONGEST_STRIDE: u32 = 4096;
 /// A bar with the time that is left, or nothing.
 pub(super) struct Bar {
     bar: Option<ProgressBar>,
+    pace: Mutex<Pace>,
+}
+
+/// How often the bar is looked at.
+struct Pace {
     /// A step may take less time than a look at the clock: so many pass in between, as many as fit in a millisecond.
-    stride: Cell<u32>,
-    steps_left: Cell<u32>,
-    looked: Cell<Instant>,
-    drawn: Cell<Instant>,
+    stride: u32,
+    steps_left: u32,
+    looked: Instant,
+    drawn: Instant,
 }
 
 impl Bar {
@@ -33,7 +38,7 @@ impl Bar {
             bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
         });
         let now = Instant::now();
-        Self { bar, stride: Cell::new(1), steps_left: Cell::new(0), looked: Cell::new(now), drawn: Cell::new(now) }
+        Self { bar, pace: Mutex::new(Pace { stride: 1, steps_left: 0, looked: now, drawn: now }) }
     }
 
     /// Takes it off the terminal.
@@ -49,18 +54,18 @@ impl Progress for Bar {
         let Some(bar) = &self.bar else {
             return;
         };
-        if self.steps_left.get() > 0 {
-            self.steps_left.set(self.steps_left.get() - 1);
+        let mut pace = self.pace.lock().unwrap_or_else(PoisonError::into_inner);
+        if pace.steps_left > 0 {
+            pace.steps_left -= 1;
             return;
         }
         let now = Instant::now();
-        let quick = now.duration_since(self.looked.get()) < Duration::from_millis(1);
-        self.stride.set(if quick { (2 * self.stride.get()).min(LONGEST_STRIDE) } else { self.stride.get() / 2 });
-        self.steps_left.set(self.stride.get());
-        self.stride.set(self.stride.get().max(1));
-        self.looked.set(now);
-        if now.duration_since(self.drawn.get()) >= BETWEEN_DRAWINGS {
-            self.drawn.set(now);
+        let quick = now.duration_since(pace.looked) < Duration::from_millis(1);
+        pace.steps_left = if quick { (2 * pace.stride).min(LONGEST_STRIDE) } else { pace.stride / 2 };
+        pace.stride = pace.steps_left.max(1);
+        pace.looked = now;
+        if now.duration_since(pace.drawn) >= BETWEEN_DRAWINGS {
+            pace.drawn = now;
             bar.set_message(format!("{} of {}", seconds(time), seconds(duration)));
             bar.set_position((time / duration * PARTS) as u64);
         }

@@ -30,7 +30,7 @@ pub struct Options<'a> {
 }
 
 /// Somebody who is told how far a run is.
-pub trait Progress {
+pub trait Progress: Sync {
     /// It has reached this time (s) of `duration`.
     fn reached(&self, time: f64, duration: f64);
 }
@@ -127,15 +127,18 @@ pub fn run<R: Sample>(
             stepper: AnyStepper::named(settings.stepper, settings.tolerance),
             response: AnyResponse::named(settings.collision),
             ledger: options.ledger.then(|| Ledger::open(&world.view())),
-            threads,
         },
+        threads: threads.as_ref(),
     };
     let began = Instant::now();
     // Where recording has stopped, what became of the frames says why.
-    let _ = run.steps(&mut world, &tracks, options);
+    let _ = match &threads {
+        Some(threads) => threads.during(|| run.steps(&mut world, &tracks, options)),
+        None => run.steps(&mut world, &tracks, options),
+    };
     let taken = run.frames.finish();
     taken.result.map_err(|error| RunError::Record { error, frames: taken.frames })?;
-    run.summary.threads = run.method.threads.as_ref().map_or(1, Workers::count);
+    run.summary.threads = threads.as_ref().map_or(1, Workers::count);
     run.summary.frames = taken.frames;
     run.summary.waiting = taken.waiting;
     run.summary.recording = taken.recording;
@@ -179,16 +182,16 @@ struct Method<R: Sample> {
     stepper: AnyStepper<R>,
     response: AnyResponse<R>,
     ledger: Option<Ledger>,
-    threads: Option<Threads>,
 }
 
-struct Run<R: Sample> {
+struct Run<'a, R: Sample> {
+    threads: Option<&'a Threads>,
     frames: Frames<R>,
     summary: Summary,
     method: Method<R>,
 }
 
-impl<R: Sample> Run<R> {
+impl<R: Sample> Run<'_, R> {
     fn steps(&mut self, world: &mut HeapWorld<R>, tracks: &Tracks<'_>, options: &Options<'_>) -> Result<(), Stopped> {
         let schedule = self.summary.schedule;
         self.frames.begin(&world.view())?;
@@ -223,7 +226,11 @@ impl<R: Sample> Run<R> {
         for stop in tracks.stops(start, end) {
             tracks.drive(world, from, stop).map_err(|_| StepError::TimeStep)?;
             let length = if stop - from < end - start { stop - from } else { schedule.step_length(step) };
-            let report = self.method.step(&mut world.view(), R::from_f64(length), stop)?;
+            let mut view = world.view();
+            if let Some(threads) = self.threads {
+                view.share_among(threads);
+            }
+            let report = self.method.step(&mut view, R::from_f64(length), stop)?;
             self.count(&report);
             from = stop;
         }
@@ -253,7 +260,7 @@ impl<R: Sample> Run<R> {
 }
 
 impl<R: Sample> Method<R> {
-    fn step<'a>(&'a mut self, view: &mut View<'a, R>, length: R, end: f64) -> Result<StepReport, StepError> {
+    fn step(&mut self, view: &mut View<'_, R>, length: R, end: f64) -> Result<StepReport, StepError> {
         fn take<R: Sample>(
             view: &mut View<'_, R>,
             stepper: &mut AnyStepper<R>,
@@ -263,9 +270,6 @@ impl<R: Sample> Method<R> {
             observer: &mut impl Observer<R>,
         ) -> Result<StepReport, StepError> {
             view.step_to(stepper, response, length, end, observer)
-        }
-        if let Some(threads) = &self.threads {
-            view.share_among(threads);
         }
         match &mut self.ledger {
             Some(ledger) => take(view, &mut self.stepper, &mut self.response, length, end, ledger),

@@ -31,6 +31,13 @@ impl Threads {
     }
 }
 
+impl Threads {
+    /// Does something on one of them, so that none has to be woken for each step of it.
+    pub fn during<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.pool.install(work)
+    }
+}
+
 impl Workers for Threads {
     fn count(&self) -> u32 {
         self.pool.current_num_threads().try_into().unwrap_or(u32::MAX)
