@@ -1,7 +1,9 @@
 //! Collisions with planes, in three named forms, and flight from plane to plane.
 
 mod bounce;
+mod events;
 mod flights;
+mod fly;
 mod project;
 mod reflect;
 mod stop;
