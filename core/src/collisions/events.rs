@@ -8,13 +8,13 @@ use crate::world::{System, View};
 /// Bounces that would all end within this time, in s, are summed when the first of them comes. The sum is exact at
 /// any value; this one decides only when it is taken, and does not depend on the times that are asked for, so that
 /// neither do the results.
-const SETTLING_TIME: f64 = 1e-3;
+pub const SETTLING_TIME: f64 = 1e-3;
 
 /// No bounce to come.
 const NEVER: f64 = f64::INFINITY;
 
 /// Marks the plane on which a particle comes to rest at its next event.
-const SETTLES: u32 = 1 << 31;
+pub const SETTLES: u32 = 1 << 31;
 
 /// Of each particle in free flight.
 pub struct Events<'a, R> {
@@ -47,12 +47,11 @@ impl<R: Real> Events<'_, R> {
         }
     }
 
-    /// Passes the events of a particle up to a time.
+    /// Passes the events of a particle up to a time, after the `bounces` that it has had on the way there.
     // One copy of it serves all lanes.
     #[inline(never)]
-    pub fn pass_until(&mut self, system: &System<'_, R>, index: u32, time: f64) -> Bounces {
+    pub fn pass_until(&mut self, system: &System<'_, R>, index: u32, time: f64, bounces: &mut Bounces) {
         let path = Path::of(system, system.plan.attached + index, half());
-        let mut bounces = Bounces::default();
         while at(self.since, index) + at(self.tau, index) <= time {
             if bounces.hits == MOST_BOUNCES {
                 bounces.capped = true;
@@ -62,9 +61,8 @@ impl<R: Real> Events<'_, R> {
                 self.set(&path, index, stopped, time);
                 break;
             }
-            self.pass_event(&path, index, &mut bounces);
+            self.pass_event(&path, index, bounces);
         }
-        bounces
     }
 
     /// The state at a time of a particle that is about to come to rest, and the energy lost since its last event, over
@@ -82,17 +80,25 @@ impl<R: Real> Events<'_, R> {
     /// Records an event, and finds the next one.
     fn set(&mut self, path: &Path<'_, R>, index: u32, flight: Flight<R>, now: f64) {
         let a = path.acceleration(&flight);
+        let next = path.next_hit(&flight, a).map(|(tau, _, plane)| (tau, plane));
+        self.record(index, flight, a, now, next);
+    }
+
+    /// Records an event, and the next one: how long after it, and on which plane.
+    #[inline(always)]
+    pub fn record(&mut self, index: u32, flight: Flight<R>, a: [R; 3], now: f64, next: Option<(R, u32)>) {
         store(&mut self.position, index, flight.position);
         store(&mut self.velocity, index, flight.velocity);
         store(&mut self.acceleration, index, a);
         put(self.since, index, now);
-        let (tau, plane) = path.next_hit(&flight, a).map_or((NEVER, 0), |(tau, _, plane)| (tau.to_f64(), plane));
+        let (tau, plane) = next.map_or((NEVER, 0), |(tau, plane)| (tau.to_f64(), plane));
         put(self.tau, index, tau);
         put(self.due, index, now + tau);
         put(self.plane, index, plane);
     }
 
-    fn last(&self, index: u32) -> Flight<R> {
+    #[inline(always)]
+    pub fn last(&self, index: u32) -> Flight<R> {
         Flight { position: fetch(read(&self.position), index), velocity: fetch(read(&self.velocity), index) }
     }
 

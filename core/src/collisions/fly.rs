@@ -2,7 +2,9 @@
 
 use core::ops::Range;
 
+use super::bounce::Bounces;
 use super::events::{Events, half};
+use super::impacts::TOGETHER;
 use crate::Real;
 use crate::lanes::Kernel;
 use crate::vectors::{at, lend, read, store, window, window_mut};
@@ -50,8 +52,8 @@ impl<R: Real> Kernel for Fly<'_, R> {
             start = tile.end;
             let mut room = [0; TILE as usize];
             let due = self.due(tile.clone(), &mut room);
-            for index in due {
-                self.pass(*index, &mut flown);
+            for some in due.chunks(TOGETHER) {
+                self.pass(some, &mut flown);
             }
             flown.finite &= self.coast(tile);
             for index in due {
@@ -83,11 +85,17 @@ impl<R: Real> Fly<'_, R> {
         room.get(..found).unwrap_or_default()
     }
 
-    fn pass(&mut self, index: u32, flown: &mut Flown) {
-        let bounces = self.events.pass_until(self.system, index, self.time);
-        flown.lost += self.mass(index) * bounces.lost;
-        flown.hits = flown.hits.saturating_add(bounces.hits);
-        flown.capped = flown.capped.saturating_add(u32::from(bounces.capped));
+    /// Passes what these have due.
+    #[inline(always)]
+    fn pass(&mut self, particles: &[u32], flown: &mut Flown) {
+        let mut bounces = [Bounces::default(); TOGETHER];
+        self.events.pass_together(self.system, particles, self.time, &mut bounces);
+        for (index, bounces) in particles.iter().zip(&mut bounces) {
+            self.events.pass_until(self.system, *index, self.time, bounces);
+            flown.lost += self.mass(*index) * bounces.lost;
+            flown.hits = flown.hits.saturating_add(bounces.hits);
+            flown.capped = flown.capped.saturating_add(u32::from(bounces.capped));
+        }
     }
 
     fn settle(&mut self, index: u32, flown: &mut Flown) {

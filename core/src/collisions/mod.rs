@@ -4,6 +4,7 @@ mod bounce;
 mod events;
 mod flights;
 mod fly;
+mod impacts;
 mod project;
 mod reflect;
 mod stop;
