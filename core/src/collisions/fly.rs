@@ -4,11 +4,13 @@ use core::ops::Range;
 
 use super::bounce::Bounces;
 use super::events::{Events, half};
-use super::impacts::TOGETHER;
 use crate::Real;
 use crate::lanes::Kernel;
 use crate::vectors::{at, lend, read, store, window, window_mut};
-use crate::world::{State, System, TILE};
+use crate::world::{State, System};
+
+/// Particles whose columns are gone through at once: enough that some have something due, few enough for a cache.
+const TILE: u32 = 512;
 
 /// Particles that are looked at together for whether any of them has something due.
 const BLOCK: usize = 16;
@@ -52,9 +54,7 @@ impl<R: Real> Kernel for Fly<'_, R> {
             start = tile.end;
             let mut room = [0; TILE as usize];
             let due = self.due(tile.clone(), &mut room);
-            for some in due.chunks(TOGETHER) {
-                self.pass(some, &mut flown);
-            }
+            self.pass(due, &mut flown);
             flown.finite &= self.coast(tile);
             for index in due {
                 self.settle(*index, &mut flown);
@@ -88,7 +88,10 @@ impl<R: Real> Fly<'_, R> {
     /// Passes what these have due.
     #[inline(always)]
     fn pass(&mut self, particles: &[u32], flown: &mut Flown) {
-        let mut bounces = [Bounces::default(); TOGETHER];
+        if particles.is_empty() {
+            return;
+        }
+        let mut bounces = [Bounces::default(); TILE as usize];
         self.events.pass_together(self.system, particles, self.time, &mut bounces);
         for (index, bounces) in particles.iter().zip(&mut bounces) {
             self.events.pass_until(self.system, *index, self.time, bounces);

@@ -112,24 +112,22 @@ impl<R: Real> Events<'_, R> {
     /// Passes the events of some particles up to a time, as [`Events::pass_until`] does to the bit, until one comes that
     /// is not simply a bounce.
     #[inline(always)]
-    pub fn pass_together(
-        &mut self,
-        system: &System<'_, R>,
-        particles: &[u32],
-        time: f64,
-        bounces: &mut [Bounces; TOGETHER],
-    ) {
+    pub fn pass_together(&mut self, system: &System<'_, R>, particles: &[u32], time: f64, bounces: &mut [Bounces]) {
         // Held particles meet no planes: nothing of theirs is ever due.
         let path = Path { planes: system.planes, gravity: system.gravity, curvature: half() };
         let mut impacts = Impacts::<R>::NOWHERE;
-        // Of the particles that have something due still, where they are among them all.
+        // Which of the particles are being dealt with; where one has nothing due any more, the next takes its place.
         let mut due = [0; TOGETHER];
         let mut left = 0;
-        for (place, number) in due.iter_mut().zip(0..particles.len() as u32) {
-            *place = number;
-            left += 1;
-        }
-        while left > 0 {
+        let mut waiting = 0..particles.len() as u32;
+        loop {
+            for (place, number) in due.iter_mut().skip(left as usize).zip(&mut waiting) {
+                *place = number;
+                left += 1;
+            }
+            if left == 0 {
+                break;
+            }
             for (lane, number) in (0..left).zip(due) {
                 self.gather(&path, at(particles, number), &mut impacts, lane);
             }
