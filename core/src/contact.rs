@@ -37,19 +37,19 @@ impl<R: Real> Support<R> {
 }
 
 /// The gap (m) up to which a particle counts as touching a plane.
-#[inline]
+#[inline(always)]
 pub fn touching<R: Real>(plane: &Plane<R>, position: [R; 3]) -> R {
     rounding(size(position) + plane.offset.abs())
 }
 
 /// The normal speed (m/s) up to which a particle counts as neither coming nor going.
-#[inline]
+#[inline(always)]
 pub fn resting<R: Real>(velocity: [R; 3]) -> R {
     rounding(size(velocity))
 }
 
 /// Whether a particle lies on a plane, or beyond it, without moving away from it or into it.
-#[inline]
+#[inline(always)]
 pub fn lies_on<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3]) -> bool {
     plane.gap(position) <= touching(plane, position) && dot(plane.normal, velocity).abs() <= resting(velocity)
 }

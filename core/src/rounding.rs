@@ -7,7 +7,7 @@ use crate::Real;
 const ROUNDINGS: f64 = 32.0;
 
 /// What roundings may leave of a number of this size.
-#[inline]
+#[inline(always)]
 pub fn rounding<R: Real>(size: R) -> R {
     R::from_f64(ROUNDINGS) * R::EPSILON * size
 }

@@ -49,6 +49,7 @@ pub struct Path<'a, R> {
 
 impl<R: Real> Flight<R> {
     /// The state τ later, without planes.
+    #[inline(always)]
     pub fn after(self, tau: R, acceleration: [R; 3], curvature: R) -> Self {
         let position = along(self.position, tau, along(self.velocity, curvature * tau, acceleration));
         Self { position, velocity: along(self.velocity, tau, acceleration) }
@@ -64,6 +65,7 @@ impl<R: Real> Flight<R> {
     /// Gives it this normal velocity, and rounds its position to the plane that it has come to.
     ///
     /// A particle that started beyond the plane stays beyond it: a bounce does not move particles.
+    #[inline(always)]
     pub fn put_on(&mut self, plane: &Plane<R>, normal_velocity: R) {
         let gap = plane.gap(self.position);
         if gap.abs() <= R::from_f64(4.0) * touching(plane, self.position) {
@@ -76,6 +78,7 @@ impl<R: Real> Flight<R> {
 /// When c + v τ + b τ² first falls through 0 at a τ > 0, or at once if it is there and falling; c ≥ 0.
 ///
 /// Neither form subtracts nearly equal numbers.
+#[inline(always)]
 pub fn first_contact<R: Real>(c: R, v: R, b: R) -> Option<R> {
     let two = R::from_f64(2.0);
     let discriminant = v * v - R::from_f64(4.0) * b * c;
@@ -171,7 +174,8 @@ impl<'a, R: Real> Path<'a, R> {
     }
 
     /// When a plane is met; nothing if it is not, or if the particle lies on it.
-    fn time_to(&self, plane: &Plane<R>, flight: &Flight<R>, a: [R; 3]) -> Option<R> {
+    #[inline(always)]
+    pub fn time_to(&self, plane: &Plane<R>, flight: &Flight<R>, a: [R; 3]) -> Option<R> {
         let gap = plane.gap(flight.position);
         let speed = dot(plane.normal, flight.velocity);
         let pull = dot(plane.normal, a);
@@ -189,6 +193,7 @@ impl<'a, R: Real> Path<'a, R> {
 
     /// The speed of the impact after τ, and the particle there: on the plane, unless it started beyond it by more than
     /// its way there may be rounded.
+    #[inline(always)]
     pub fn impact(&self, flight: &Flight<R>, tau: R, plane: &Plane<R>, a: [R; 3]) -> (R, Flight<R>) {
         let mut there = flight.after(tau, a, self.curvature);
         let half = R::from_f64(0.5);
@@ -209,18 +214,7 @@ impl<'a, R: Real> Path<'a, R> {
     /// or dent them no deeper, than positions are rounded, or than gravity takes them in [`SHORTEST_BOUNCE`]. Returns the
     /// kinetic energy lost, over the mass.
     pub fn calm(&self, flight: &mut Flight<R>) -> f64 {
-        let held = support_by(self.planes, self.gravity, |plane| {
-            let speed = dot(plane.normal, flight.velocity);
-            let press = -dot(plane.normal, self.gravity);
-            let shortest = R::from_f64(SHORTEST_BOUNCE);
-            let reach = touching(plane, flight.position).at_least(press * shortest * shortest);
-            // An elastic one rises for ever by whatever it rises, if positions can tell it at all.
-            let least = (R::EPSILON * size(flight.position)).at_least(press * shortest * shortest);
-            let rise = if plane.restitution < R::ONE { reach } else { least };
-            // In a corner it may be the other planes, not gravity, that press it against this one.
-            let still = speed.abs() <= shortest * size(self.gravity);
-            plane.gap(flight.position) <= reach && (still || speed * speed <= R::from_f64(2.0) * press * rise)
-        });
+        let held = support_by(self.planes, self.gravity, |plane| self.calms(plane, flight));
         if held == Support::None {
             return 0.0;
         }
@@ -229,9 +223,25 @@ impl<'a, R: Real> Path<'a, R> {
         0.5 * (before - dot(flight.velocity, flight.velocity)).to_f64()
     }
 
+    /// Whether a particle is at a plane and leaves it, or dents it, by no more than that.
+    #[inline(always)]
+    pub fn calms(&self, plane: &Plane<R>, flight: &Flight<R>) -> bool {
+        let speed = dot(plane.normal, flight.velocity);
+        let press = -dot(plane.normal, self.gravity);
+        let shortest = R::from_f64(SHORTEST_BOUNCE);
+        let reach = touching(plane, flight.position).at_least(press * shortest * shortest);
+        // An elastic one rises for ever by whatever it rises, if positions can tell it at all.
+        let least = (R::EPSILON * size(flight.position)).at_least(press * shortest * shortest);
+        let rise = if plane.restitution < R::ONE { reach } else { least };
+        // In a corner it may be the other planes, not gravity, that press it against this one.
+        let still = speed.abs() <= shortest * size(self.gravity);
+        plane.gap(flight.position) <= reach && (still || speed * speed <= R::from_f64(2.0) * press * rise)
+    }
+
     /// How long the bounces after an impact of this speed go on: 2 e u/(|g_n| (1 − e)); nothing if they never end.
     ///
     /// On a path that is not exact there is no such sum, and only a particle that does not bounce at all settles.
+    #[inline(always)]
     pub fn settling_time(&self, plane: &Plane<R>, speed: R) -> Option<R> {
         let press = -dot(plane.normal, self.gravity);
         let exact = self.curvature == R::from_f64(0.5);
@@ -285,6 +295,7 @@ impl<'a, R: Real> Path<'a, R> {
 }
 
 /// ½ u², exactly rounded in `f64`.
+#[inline(always)]
 pub fn half_square<R: Real>(speed: R) -> f64 {
     0.5 * speed.to_f64() * speed.to_f64()
 }

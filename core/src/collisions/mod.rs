@@ -1,7 +1,10 @@
 //! Collisions with planes, in three named forms, and flight from plane to plane.
 
 mod bounce;
+mod events;
 mod flights;
+mod fly;
+mod impacts;
 mod project;
 mod reflect;
 mod stop;

@@ -154,7 +154,12 @@ fn step<R: Real>(
         Some(lost) => lost,
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
-    view.refuse_non_finite()?;
+    if core::mem::take(&mut view.is_next_finite) {
+        // Exact flight has seen to that itself.
+        view.attached().refuse_non_finite()?;
+    } else {
+        view.refuse_non_finite()?;
+    }
     observer.lost_in_impacts(stopped.map_or(0.0, |answer| answer.lost) + lost);
     report.substeps += 1;
     view.commit(view.end, stopped.is_some());

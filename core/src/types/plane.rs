@@ -67,6 +67,7 @@ impl<R: Real> Plane<R> {
     }
 
     /// How far a position lies above it, m.
+    #[inline(always)]
     pub(crate) fn gap(&self, position: [R; 3]) -> R {
         dot(self.normal, position) - self.offset
     }
