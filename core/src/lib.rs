@@ -57,6 +57,7 @@ mod lanes;
 mod ledger;
 mod real;
 mod roles;
+mod sleep;
 mod solve;
 mod stability;
 mod step;
