@@ -23,6 +23,7 @@ pub struct Ledger {
 struct Account {
     lost_to_damping: f64,
     lost_in_impacts: f64,
+    lost_to_sleep: f64,
     work_of_pins: f64,
     /// Powers at the state of the epoch beside them, W.
     damping_power: f64,
@@ -43,6 +44,8 @@ pub struct Balance {
     pub lost_to_damping: f64,
     /// Of all bounces; putting a particle back on a plane counts with them.
     pub lost_in_impacts: f64,
+    /// Kinetic energy that islands still had when they fell asleep.
+    pub lost_to_sleep: f64,
     /// What was needed to move kinematic particles against their springs.
     pub work_of_pins: f64,
     /// Kinetic, elastic and gravitational energy when the ledger was opened.
@@ -53,7 +56,12 @@ impl Balance {
     /// What the integrator has added (positive) or lost (negative): 0 for the exact solution.
     #[must_use]
     pub fn remainder(&self) -> f64 {
-        self.kinetic + self.elastic + self.gravitational + self.lost_to_damping + self.lost_in_impacts
+        self.kinetic
+            + self.elastic
+            + self.gravitational
+            + self.lost_to_damping
+            + self.lost_in_impacts
+            + self.lost_to_sleep
             - self.work_of_pins
             - self.opened_with
     }
@@ -87,6 +95,7 @@ impl Ledger {
             gravitational: gravitational(&view.system, &view.current),
             lost_to_damping: self.account.lost_to_damping,
             lost_in_impacts: self.account.lost_in_impacts,
+            lost_to_sleep: self.account.lost_to_sleep,
             work_of_pins: self.account.work_of_pins,
             opened_with: self.opened_with,
         }
@@ -115,6 +124,12 @@ impl<R: Real> Observer<R> for Ledger {
 
     fn lost_in_impacts(&mut self, energy: f64) {
         self.account.lost_in_impacts += energy;
+    }
+
+    fn fell_asleep(&mut self, energy: f64) {
+        self.account.lost_to_sleep += energy;
+        // What sleeps takes no more power.
+        self.account.epoch = None;
     }
 
     fn begins(&mut self) {

@@ -68,6 +68,7 @@ mod reach;
 mod real;
 mod roles;
 mod rounding;
+mod sleep;
 mod solve;
 mod square_root;
 mod stability;

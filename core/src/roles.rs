@@ -32,6 +32,10 @@ pub trait Stepper<R: Real> {
     fn look_ahead(&mut self, _view: &mut View<'_, R>, _time: f64) -> bool {
         false
     }
+
+    /// Particles are about to be moved to other slots while their state stays as it is, because some have fallen
+    /// asleep: what it remembers of each must find it there.
+    fn rearranged(&mut self, _view: &View<'_, R>) {}
 }
 
 /// A form of collision response: what happens when a step takes particles through planes.
@@ -68,6 +72,9 @@ pub trait Observer<R: Real> {
 
     /// Impacts have taken this energy, J.
     fn lost_in_impacts(&mut self, energy: f64);
+
+    /// Islands have fallen asleep, and the kinetic energy that was left in them, J, is gone.
+    fn fell_asleep(&mut self, _energy: f64) {}
 
     /// A step begins.
     fn begins(&mut self) {}

@@ -29,10 +29,10 @@ pub struct StabilityBound {
 }
 
 impl<R: Real> View<'_, R> {
-    /// The bound for the current state; nothing where no spring pulls at a free particle.
+    /// The bound for the current state, as far as it does not sleep; nothing where no spring pulls at a free particle.
     #[must_use]
     pub fn stability(&self) -> Option<StabilityBound> {
-        bound(&self.system, &self.current)
+        bound(&System { plan: self.system.plan.awake(), ..self.system }, &self.current)
     }
 }
 

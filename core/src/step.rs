@@ -15,11 +15,12 @@ impl<R: Real> View<'_, R> {
         stepper: &mut impl Stepper<R>,
         time: f64,
     ) -> Option<impl Iterator<Item = (u32, R::Vec3, R::Vec3)>> {
-        if !stepper.look_ahead(self, time) {
+        if !stepper.look_ahead(&mut self.awake(), time) {
             return None;
         }
+        let plan = self.system.plan.awake();
         let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
-        let slots = self.system.plan.attached..self.system.plan.particles;
+        let slots = plan.attached..plan.particles;
         let system = self.system;
         Some(slots.map(move |slot| {
             (at(system.particle_at, slot), fetch(position, slot).into(), fetch(velocity, slot).into())
@@ -89,11 +90,19 @@ impl<R: Real> View<'_, R> {
         self.end = end;
         self.is_next_finite = false;
         observer.begins();
-        let stepped = response.step(self, stepper, dt, observer);
+        let stepped = if self.system.plan.asleep == 0 {
+            response.step(self, stepper, dt, observer)
+        } else {
+            self.step_awake(|awake| response.step(awake, stepper, dt, observer))
+        };
         if stepped.is_err() {
             observer.fails();
             // What the stepper may remember of the state that was not to be must not pass for that of one to come.
             *self.epoch += 2;
+        } else if let Some(sleep) = self.sleep
+            && self.fall_asleep(sleep, dt, observer)
+        {
+            stepper.rearranged(self);
         }
         stepped
     }

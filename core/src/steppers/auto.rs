@@ -145,6 +145,10 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for Auto<R, M, FILL> {
     fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
         self.flights.look_ahead(view, time)
     }
+
+    fn rearranged(&mut self, view: &View<'_, R>) {
+        self.verlet.rearranged(view);
+    }
 }
 
 impl fmt::Display for Choice {

@@ -3,7 +3,7 @@
 use crate::Real;
 use crate::roles::Stepper;
 use crate::types::{Full, StepReport};
-use crate::vectors::{ColumnsMut, advance_columns, lend, read};
+use crate::vectors::{ColumnsMut, advance_columns, fetch, lend, read, store};
 use crate::world::{Column, Plan, Storage, View};
 
 /// x' = x + dt·v + ½dt²·a; a' = a(x', v + dt·a); v' = v + ½dt (a + a'). Second order, one force evaluation a step.
@@ -17,17 +17,50 @@ use crate::world::{Column, Plan, Storage, View};
 pub struct VelocityVerlet<R: Real, M: Storage> {
     /// a of the current state and of the next one.
     acceleration: [[M::Particles<R>; 3]; 2],
-    /// The epochs of the states that they belong to; 0 is none.
+    /// The epochs of the states that they belong to, the current one's first; 0 is none.
     epoch: [u64; 2],
     /// Which of the two is the current state's.
     front: usize,
+    /// That one is in the order of particles' numbers, until it is known to which slots they have been moved.
+    by_number: bool,
 }
 
 impl<R: Real, M: Storage> VelocityVerlet<R, M> {
     /// Without room for any particles yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { acceleration: [const { [const { Column::EMPTY }; 3] }; 2], epoch: [0; 2], front: 0 }
+        Self { acceleration: [const { [const { Column::EMPTY }; 3] }; 2], epoch: [0; 2], front: 0, by_number: false }
+    }
+}
+
+/// The two accelerations that a stepper remembers.
+struct Sides<'a, R> {
+    /// Of the current state.
+    now: ColumnsMut<'a, R>,
+    /// Of the next one.
+    beside: ColumnsMut<'a, R>,
+    epoch: &'a mut [u64; 2],
+}
+
+impl<R: Real, M: Storage> VelocityVerlet<R, M> {
+    fn sides(&mut self) -> Sides<'_, R> {
+        let [first, second] = self.acceleration.each_mut().map(|columns| columns.each_mut().map(Column::items_mut));
+        let (now, beside) = if self.front == 0 { (first, second) } else { (second, first) };
+        Sides { now, beside, epoch: &mut self.epoch }
+    }
+
+    /// The two change places when the state that the last step made has become the current one.
+    fn turn(&mut self, view: &View<'_, R>) {
+        let [epoch, next_epoch] = &mut self.epoch;
+        if *next_epoch == *view.epoch {
+            core::mem::swap(epoch, next_epoch);
+            self.change_sides();
+        }
+    }
+
+    /// The one beside takes the place of that of the current state.
+    fn change_sides(&mut self) {
+        self.front ^= 1;
     }
 }
 
@@ -44,26 +77,41 @@ impl<R: Real, M: Storage> Stepper<R> for VelocityVerlet<R, M> {
 
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
         let mut report = StepReport::default();
-        let [first, second] = self.acceleration.each_mut().map(|columns| columns.each_mut().map(Column::items_mut));
-        let [epoch, other_epoch] = &mut self.epoch;
-        // The two change places when the state that the last step made has become the current one.
-        if *other_epoch == *view.epoch {
-            core::mem::swap(epoch, other_epoch);
-            self.front ^= 1;
+        self.turn(view);
+        if self.by_number {
+            self.by_number = false;
+            let Sides { now: by_number, beside: mut by_slot, .. } = self.sides();
+            for (number, slot) in view.system.particle_at.iter().zip(0..view.system.plan.particles) {
+                store(&mut by_slot, slot, fetch(read(&by_number), *number));
+            }
+            self.change_sides();
         }
-        let (mut acceleration, next_acceleration) = if self.front == 0 { (first, second) } else { (second, first) };
+        let Sides { now: mut acceleration, beside: next_acceleration, epoch: [epoch, next_epoch] } = self.sides();
         if *epoch != *view.epoch {
             let (x, v) = (read(&view.current.position), read(&view.current.velocity));
             view.system.accelerations(x, v, lend(&mut acceleration), &mut report);
             *epoch = *view.epoch;
         }
         advance(view, dt, &acceleration, next_acceleration, &mut report);
-        *other_epoch = *view.epoch + 1;
+        *next_epoch = *view.epoch + 1;
         report
     }
 
     fn curvature(&self) -> R {
         R::from_f64(0.5)
+    }
+
+    fn rearranged(&mut self, view: &View<'_, R>) {
+        self.turn(view);
+        if self.by_number || self.epoch.first() != Some(&*view.epoch) {
+            return;
+        }
+        let Sides { now: by_slot, beside: mut by_number, .. } = self.sides();
+        for (number, slot) in view.system.particle_at.iter().zip(0..) {
+            store(&mut by_number, *number, fetch(read(&by_slot), slot));
+        }
+        self.change_sides();
+        self.by_number = true;
     }
 }
 

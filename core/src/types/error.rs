@@ -64,6 +64,8 @@ pub enum SetError {
     NoSuchParticle(u32),
     /// A component is infinite or NaN.
     NotFinite,
+    /// It must be positive and finite.
+    NotPositive,
 }
 
 /// Why a step was not taken. The state is as it was before it.
@@ -132,6 +134,7 @@ impl fmt::Display for SetError {
         match self {
             Self::NoSuchParticle(number) => write!(f, "there is no particle {number}"),
             Self::NotFinite => write!(f, "the value is not finite"),
+            Self::NotPositive => write!(f, "the value is not positive and finite"),
         }
     }
 }

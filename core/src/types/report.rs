@@ -24,6 +24,8 @@ pub struct StepReport {
     pub capped: u32,
     /// Springs of length 0, which have no direction and so exerted no force, in the last evaluation.
     pub degenerate_springs: u32,
+    /// Islands that slept through the step.
+    pub islands_asleep: u32,
 }
 
 impl Default for StepReport {
@@ -39,6 +41,7 @@ impl Default for StepReport {
             substeps: 0,
             capped: 0,
             degenerate_springs: 0,
+            islands_asleep: 0,
         }
     }
 }

@@ -5,17 +5,18 @@ use super::layout::{ParticleColumns, SpringColumns};
 use super::order::order;
 use super::pieces::{Found, Ordered};
 use super::plan::Plan;
-use super::prepare::{list_incidences, partition};
+use super::prepare::{Layout, list_incidences, partition};
+use super::rest::{Mark, Watch};
 use super::storage::{Column, Fixed, Storage};
-use super::view::{Springs, State, System, View};
+use super::view::{Springs, State, System, View, incidences_of};
 use crate::Real;
 use crate::lanes::Lanes;
-use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Spring};
-use crate::vectors::{at, difference, fetch, read, size, store};
+use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
+use crate::vectors::{at, difference, fetch, put, read, size, store};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
-/// It takes 14 reals and 12 bytes a particle, 3 reals and 34 bytes a spring, and 5 reals a plane.
+/// It takes 14 reals and 13 bytes a particle, 3 reals and 34 bytes a spring, and 5 reals a plane.
 pub type World<R, const PARTICLES: usize, const SPRINGS: usize, const PLANES: usize> =
     Container<R, Fixed<PARTICLES, SPRINGS, PLANES>>;
 
@@ -31,6 +32,8 @@ pub struct Container<R: Real, M: Storage> {
     changes: u64,
     plan: Option<Plan>,
     lanes: Lanes,
+    sleep: Option<Sleep<R>>,
+    watch: Watch,
 }
 
 impl<R: Real, M: Storage> Default for Container<R, M> {
@@ -54,6 +57,8 @@ impl<R: Real, M: Storage> Container<R, M> {
             changes: 0,
             plan: None,
             lanes: Lanes::Avx512,
+            sleep: None,
+            watch: Watch { since: 0.0, fell_asleep: false },
         }
     }
 
@@ -102,6 +107,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
         let slots = spring.between.map(|particle| at(self.particles.slot_of.items(), particle));
         let number = self.springs.push(spring, slots)?;
+        slots.into_iter().for_each(|slot| self.wake(slot));
         self.disturb();
         self.plan = None;
         Ok(number)
@@ -114,6 +120,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     pub fn add_plane(&mut self, plane: Plane<R>) -> Result<u32, AddPlaneError<R>> {
         let number = self.planes.items().len() as u32;
         self.planes.push(plane).map_err(AddPlaneError::Full)?;
+        self.wake_all();
         self.disturb();
         self.plan = None;
         Ok(number)
@@ -129,6 +136,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             return Err(SetError::NotFinite);
         }
         self.gravity = gravity;
+        self.wake_all();
         self.disturb();
         self.plan = None;
         Ok(())
@@ -146,6 +154,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
         let (mut positions, _) = self.current_mut();
         store(&mut positions, slot, position);
+        self.wake(slot);
         self.disturb();
         Ok(())
     }
@@ -163,6 +172,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
         let (_, mut velocities) = self.current_mut();
         store(&mut velocities, slot, velocity);
+        self.wake(slot);
         self.disturb();
         Ok(())
     }
@@ -190,6 +200,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         store(&mut positions, slot, position);
         store(&mut velocities, slot, velocity);
         if velocity != former_velocity || displaced(former_position, position) {
+            self.wake(slot);
             self.disturb();
         }
         Ok(())
@@ -203,11 +214,35 @@ impl<R: Real, M: Storage> Container<R, M> {
         let slot = self.slot(particle)?;
         let mass = at(self.particles.mass.items(), slot);
         let inverse = if hold == Hold::Free { R::ONE / mass } else { R::ZERO };
-        crate::vectors::put(self.particles.inverse_mass.items_mut(), slot, inverse);
+        put(self.particles.inverse_mass.items_mut(), slot, inverse);
         if hold == Hold::Pinned {
             let (_, mut velocities) = self.current_mut();
             store(&mut velocities, slot, [R::ZERO; 3]);
         }
+        self.wake(slot);
+        self.disturb();
+        self.plan = None;
+        Ok(())
+    }
+
+    /// Lets islands, the connected parts of the spring graph, sleep while they rest; or none of them, as it is at first.
+    ///
+    /// Held particles do not connect islands. What sleeps has no velocity and stays exactly where it is, with whatever
+    /// stepper and response, and costs nothing. An island wakes when anything from outside touches one of its
+    /// particles, one that holds it, gravity or the planes. Nothing else can reach it: particles do not meet each other,
+    /// and a held particle that moves lets nothing that hangs on it fall asleep. Particles in free flight never sleep.
+    ///
+    /// Islands fall asleep at the end of a step, and are left out from the next view of the world on. Where several of
+    /// them hang on one held particle, its pull is added before those of other particles, whatever its number.
+    ///
+    /// # Errors
+    /// If the speed or the time is not positive and finite.
+    pub fn set_sleep(&mut self, sleep: Option<Sleep<R>>) -> Result<(), SetError> {
+        if sleep.is_some_and(|sleep| !sleep.is_sound()) {
+            return Err(SetError::NotPositive);
+        }
+        self.sleep = sleep;
+        self.wake_all();
         self.disturb();
         self.plan = None;
         Ok(())
@@ -241,11 +276,16 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// The world as slices, prepared for stepping.
     pub fn view(&mut self) -> View<'_, R> {
         let plan = match self.plan {
-            Some(plan) => plan,
-            None => self.prepare(),
+            Some(plan) if !self.watch.fell_asleep => plan,
+            Some(_) => self.prepare(),
+            None => {
+                self.disturb();
+                self.prepare()
+            }
         };
-        let Self { particles, springs, planes, gravity, clock, front, epoch, changes, lanes, .. } = self;
-        let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end } = particles;
+        let Self { particles, springs, planes, gravity, clock, front, epoch, changes, lanes, sleep, watch, .. } = self;
+        let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end, rest } =
+            particles;
         let (current, next) = if *front == 0 { (a, b) } else { (b, a) };
         let (position, velocity) = current.lend();
         let current = State { position, velocity };
@@ -275,37 +315,58 @@ impl<R: Real, M: Storage> Container<R, M> {
         };
         let slot_of = slot_of.items();
         let end = *clock;
-        View { system, current, next, is_next_finite: false, front, epoch, changes: *changes, clock, end, slot_of }
+        View {
+            system,
+            current,
+            next,
+            is_next_finite: false,
+            front,
+            epoch,
+            changes: *changes,
+            clock,
+            end,
+            slot_of,
+            sleep: *sleep,
+            rest: rest.items_mut(),
+            watch,
+        }
     }
 
     /// Sorts particles into slots, lists their springs, and finds out what the world needs.
     fn prepare(&mut self) -> Plan {
-        let attached = partition(&mut self.particles, &mut self.springs, self.front);
-        order(&mut self.springs);
+        let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep.is_some());
+        let Layout { particles, attached, asleep, islands, islands_asleep } = layout;
+        order(&mut self.springs, layout.first_asleep());
         list_incidences(&mut self.particles, &mut self.springs);
-        let (on_diagonals, pieces) = self.find_pieces(attached);
+        let springs = self.springs.ends.items().partition_point(|[_, j]| *j < layout.first_asleep());
+        let (on_diagonals, pieces) = self.find_pieces(attached - asleep, springs);
+        let awake = self.springs.ends.items().iter().take(springs);
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
             attached,
-            particles: self.particles.count(),
+            particles,
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             springs: self.springs.count(),
             on_diagonals,
-            span: self.springs.ends.items().iter().map(|[i, j]| j - i).max().unwrap_or(0),
+            span: awake.map(|[i, j]| j - i).max().unwrap_or(0),
             pieces,
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,
+            islands,
+            islands_asleep,
+            asleep,
+            springs_asleep: self.springs.count() - springs as u32,
         };
-        self.disturb();
+        self.watch.fell_asleep = false;
         self.plan = Some(plan);
         plan
     }
 
-    /// Finds the springs that lie on diagonals: how many there are, in how many pieces.
-    fn find_pieces(&mut self, attached: u32) -> (u32, u32) {
+    /// Finds those of the first so many springs that lie on diagonals: how many there are, in how many pieces.
+    fn find_pieces(&mut self, attached: u32, count: usize) -> (u32, u32) {
         let SpringColumns { ends, stiffness, damping, rest_length, pieces, presences, .. } = &mut self.springs;
         let ordered = Ordered {
-            ends: ends.items(),
+            ends: ends.items().get(..count).unwrap_or_default(),
             stiffness: stiffness.items(),
             damping: damping.items(),
             rest_length: rest_length.items(),
@@ -325,6 +386,33 @@ impl<R: Real, M: Storage> Container<R, M> {
     fn current_mut(&mut self) -> (crate::vectors::ColumnsMut<'_, R>, crate::vectors::ColumnsMut<'_, R>) {
         let [a, b] = &mut self.particles.state;
         if self.front == 0 { a.lend() } else { b.lend() }
+    }
+
+    /// Touches a particle: the island that it belongs to, and those that hang on it, wake.
+    fn wake(&mut self, slot: u32) {
+        if self.sleep.is_none() {
+            return;
+        }
+        let ParticleColumns { inverse_mass, incidence_end, particle_at, rest, .. } = &mut self.particles;
+        let is_dynamic = |slot: &u32| at(inverse_mass.items(), *slot) > R::ZERO;
+        let mut touch = |slot: u32| {
+            let particle = at(particle_at.items(), slot);
+            let mark = Mark::from_byte(at(rest.items(), particle));
+            if mark.is_asleep() {
+                self.plan = None;
+            }
+            put(rest.items_mut(), particle, mark.awake().stirred().to_byte());
+        };
+        touch(slot);
+        let springs = self.springs.incidences.items().as_flattened();
+        let neighbours = incidences_of(slot, incidence_end.items(), springs).iter().map(|spring| spring.neighbour);
+        neighbours.filter(is_dynamic).for_each(touch);
+    }
+
+    /// Touches all particles.
+    fn wake_all(&mut self) {
+        let mark = if self.sleep.is_some() { Mark::default().stirred() } else { Mark::default() };
+        self.particles.rest.items_mut().fill(mark.to_byte());
     }
 
     /// Tells those who remember something of the state that it has changed.

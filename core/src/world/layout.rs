@@ -22,10 +22,10 @@ pub struct StateColumns<R: Real, M: Storage> {
     pub velocity: [M::Particles<R>; 3],
 }
 
-/// What a particle has: 14 reals and 12 bytes, that is 68 bytes in `f32` and 124 in `f64`.
+/// What a particle has: 14 reals and 13 bytes, that is 69 bytes in `f32` and 125 in `f64`.
 ///
 /// Particles are kept in *slots*: first those that springs pull at, then those in free flight, each in the order of
-/// their numbers. Nobody outside sees a slot.
+/// their numbers; where islands may sleep, as `islands.rs` says. Nobody outside sees a slot.
 pub struct ParticleColumns<R: Real, M: Storage> {
     /// The state now and the state that a step is making: 12 reals. A step that fails leaves the first untouched.
     pub state: [StateColumns<R, M>; 2],
@@ -39,6 +39,8 @@ pub struct ParticleColumns<R: Real, M: Storage> {
     pub particle_at: M::Particles<u32>,
     /// Where the incidences of each slot end; they begin where those of the slot before end: 4 bytes.
     pub incidence_end: M::Particles<u32>,
+    /// How it rests, by number (`rest.rs`): 1 byte.
+    pub rest: M::Particles<u8>,
 }
 
 /// What a spring has: 3 reals and 34 bytes, that is 46 bytes in `f32` and 58 in `f64`.
@@ -100,6 +102,7 @@ impl<R: Real, M: Storage> ParticleColumns<R, M> {
         slot_of: Column::EMPTY,
         particle_at: Column::EMPTY,
         incidence_end: Column::EMPTY,
+        rest: Column::EMPTY,
     };
 
     pub fn count(&self) -> u32 {
@@ -118,6 +121,7 @@ impl<R: Real, M: Storage> ParticleColumns<R, M> {
         self.particle_at.push(number).map_err(|_| full)?;
         self.slot_of.push(number).map_err(|_| full)?;
         self.incidence_end.push(0).map_err(|_| full)?;
+        self.rest.push(0).map_err(|_| full)?;
         let free = particle.hold == Hold::Free;
         self.mass.push(particle.mass).map_err(|_| full)?;
         self.inverse_mass.push(if free { R::ONE / particle.mass } else { R::ZERO }).map_err(|_| full)?;

@@ -2,11 +2,13 @@
 
 mod clock;
 mod container;
+mod islands;
 mod layout;
 mod order;
 mod pieces;
 mod plan;
 mod prepare;
+mod rest;
 mod storage;
 mod view;
 
@@ -18,4 +20,5 @@ pub use view::View;
 
 pub(crate) use clock::Clock;
 pub(crate) use pieces::{Piece, TILE, Words};
+pub(crate) use rest::Mark;
 pub(crate) use view::{Law, Springs, State, System};

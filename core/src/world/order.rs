@@ -12,8 +12,9 @@ use super::storage::{Column, Storage};
 use crate::Real;
 use crate::vectors::{at, put};
 
-/// Sorts springs into that order, in place.
-pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>) {
+/// Sorts springs into that order, in place; those of particles that sleep, in the slots from `asleep` on, after all
+/// others.
+pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, asleep: u32) {
     let SpringColumns { ends, stiffness, damping, rest_length, number, incidences, .. } = springs;
     let (ends, number) = (ends.items_mut(), number.items_mut());
     for [i, j] in ends.iter_mut() {
@@ -21,7 +22,7 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>) {
             core::mem::swap(i, j);
         }
     }
-    let key = |[i, j]: [u32; 2], number: u32| (i / TILE, u32::MAX - (j - i), i, number);
+    let key = |[i, j]: [u32; 2], number: u32| (j >= asleep, i / TILE, u32::MAX - (j - i), i, number);
     let keys = || ends.iter().zip(number.iter()).map(|(ends, number)| key(*ends, *number));
     if keys().is_sorted() {
         return;

@@ -37,6 +37,15 @@ pub struct Plan {
     pub pieces: u32,
     /// Planes: without any, nothing is tested for hits.
     pub planes: u32,
+    /// Islands, the connected parts of the spring graph; held particles do not connect. Where none may sleep nobody
+    /// counts them, and this is 0.
+    pub islands: u32,
+    /// Those of them that sleep.
+    pub islands_asleep: u32,
+    /// Their particles; no step touches them.
+    pub asleep: u32,
+    /// Their springs; no step touches them.
+    pub springs_asleep: u32,
 }
 
 impl Plan {
@@ -44,6 +53,18 @@ impl Plan {
     #[must_use]
     pub fn free(&self) -> u32 {
         self.particles - self.attached
+    }
+
+    /// What is left of it without what sleeps.
+    pub(crate) fn awake(&self) -> Self {
+        Self {
+            particles: self.particles - self.asleep,
+            attached: self.attached - self.asleep,
+            springs: self.springs - self.springs_asleep,
+            asleep: 0,
+            springs_asleep: 0,
+            ..*self
+        }
     }
 
     /// How many of the springs are damped.

@@ -3,17 +3,68 @@
 //! It alone decides the order in which the forces on a particle are added: that of the springs' numbers. It runs in
 //! place, in time proportional to the number of particles and springs.
 
+use super::islands::arrange;
 use super::layout::{Incidence, ParticleColumns, SpringColumns};
 use super::storage::{Column, Storage};
+use super::view::State;
 use crate::Real;
 use crate::vectors::{at, put};
 
-/// Moves the particles that springs pull at to the first slots, and returns how many they are.
+/// How many particles are in which part of the slots.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Layout {
+    /// All.
+    pub particles: u32,
+    /// Those that springs pull at.
+    pub attached: u32,
+    /// Those of islands that sleep: they come last.
+    pub asleep: u32,
+    /// Islands, if they were looked for.
+    pub islands: u32,
+    /// Islands that sleep.
+    pub islands_asleep: u32,
+}
+
+impl Layout {
+    /// The first slot of what sleeps, or past all.
+    pub fn first_asleep(&self) -> u32 {
+        self.particles - self.asleep
+    }
+}
+
+/// Moves particles to the slots where they belong, and tells how many there are of which.
 pub fn partition<R: Real, M: Storage>(
     particles: &mut ParticleColumns<R, M>,
     springs: &mut SpringColumns<R, M>,
     front: usize,
-) -> u32 {
+    by_islands: bool,
+) -> Layout {
+    let (layout, moved) =
+        if by_islands { arrange(particles, springs, front) } else { attached_first(particles, springs) };
+    if moved {
+        permute(particles, springs, front);
+    }
+    if layout.asleep > 0 {
+        settle(particles, layout.first_asleep(), front);
+    }
+    layout
+}
+
+/// Both states hold what sleeps, so that steps that leave it out need not copy it.
+fn settle<R: Real, M: Storage>(particles: &mut ParticleColumns<R, M>, first_asleep: u32, front: usize) {
+    let [a, b] = &mut particles.state;
+    let (current, spare) = if front == 0 { (a, b) } else { (b, a) };
+    let (position, velocity) = spare.lend();
+    let mut spare = State { position, velocity };
+    let (position, velocity) = current.lend();
+    spare.keep(first_asleep, &State { position, velocity });
+}
+
+/// Writes the slots to `incidence_end` in which the particles that springs pull at come first.
+fn attached_first<R: Real, M: Storage>(
+    particles: &mut ParticleColumns<R, M>,
+    springs: &SpringColumns<R, M>,
+) -> (Layout, bool) {
     let new_slot = particles.incidence_end.items_mut();
     new_slot.fill(0);
     for &[first, second] in springs.ends.items() {
@@ -31,10 +82,8 @@ pub fn partition<R: Real, M: Storage>(
         moved |= *next != *slot;
         *next += 1;
     }
-    if moved {
-        permute(particles, springs, front);
-    }
-    attached
+    let particles = particles.count();
+    (Layout { particles, attached, ..Layout::default() }, moved)
 }
 
 /// Moves every particle to the slot that `incidence_end` names.
@@ -43,7 +92,7 @@ fn permute<R: Real, M: Storage>(
     springs: &mut SpringColumns<R, M>,
     front: usize,
 ) {
-    let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end } = particles;
+    let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end, .. } = particles;
     let new_slot = incidence_end.items();
     // The state that a step would write to is free between steps: one of its columns serves as room to move in.
     let (current, spare) = if front == 0 { (a, b) } else { (b, a) };

@@ -4,10 +4,11 @@ use super::clock::Clock;
 use super::layout::Incidence;
 use super::pieces::Words;
 use super::plan::Plan;
+use super::rest::Watch;
 use crate::Real;
 use crate::lanes::Lanes;
-use crate::types::{Plane, StepError};
-use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read};
+use crate::types::{Plane, Sleep, StepError};
+use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, window};
 use crate::workers::Workers;
 
 /// Positions and velocities by slot.
@@ -107,10 +108,22 @@ impl<'a, R: Real> Springs<'a, R> {
 
     /// The springs of one slot.
     pub fn of_slot(self, slot: u32) -> &'a [Incidence] {
-        let start = slot.checked_sub(1).map_or(0, |before| at(self.incidence_end, before));
-        let end = at(self.incidence_end, slot);
-        self.incidences.get(start as usize..end as usize).unwrap_or_default()
+        incidences_of(slot, self.incidence_end, self.incidences)
     }
+
+    /// The first so many.
+    fn first(self, count: u32) -> Self {
+        let [ends] = window([self.ends], 0..count);
+        let [stiffness, damping, rest_length] = window([self.stiffness, self.damping, self.rest_length], 0..count);
+        Self { ends, stiffness, damping, rest_length, ..self }
+    }
+}
+
+/// Those of one slot.
+pub fn incidences_of<'a>(slot: u32, incidence_end: &[u32], incidences: &'a [Incidence]) -> &'a [Incidence] {
+    let start = slot.checked_sub(1).map_or(0, |before| at(incidence_end, before));
+    let end = at(incidence_end, slot);
+    incidences.get(start as usize..end as usize).unwrap_or_default()
 }
 
 /// What stays as it is while a step is made.
@@ -164,6 +177,11 @@ pub struct View<'a, R: Real> {
     /// The time at the end of the step that is being taken.
     pub(crate) end: Clock,
     pub(crate) slot_of: &'a [u32],
+    /// When what rests falls asleep, if it may.
+    pub(crate) sleep: Option<Sleep<R>>,
+    /// The marks of all particles, by number.
+    pub(crate) rest: &'a mut [u8],
+    pub(crate) watch: &'a mut Watch,
 }
 
 impl<'a, R: Real> View<'a, R> {
@@ -207,11 +225,22 @@ impl<'a, R: Real> View<'a, R> {
     /// The same world without the particles in free flight, which nothing that springs pull at depends on.
     pub(crate) fn attached(&mut self) -> View<'_, R> {
         let attached = self.system.plan.attached;
-        let plan = Plan { particles: attached, ..self.system.plan };
+        self.part(System { plan: Plan { particles: attached, ..self.system.plan }, ..self.system })
+    }
+
+    /// The same world without the islands that sleep, which nothing that is awake depends on.
+    pub(crate) fn awake(&mut self) -> View<'_, R> {
+        let plan = self.system.plan.awake();
+        self.part(System { plan, springs: self.system.springs.first(plan.springs), ..self.system })
+    }
+
+    /// The first of its particles, with these springs.
+    fn part<'b>(&'b mut self, system: System<'b, R>) -> View<'b, R> {
+        let count = system.plan.particles;
         View {
-            system: System { plan, ..self.system },
-            current: self.current.first(attached),
-            next: self.next.first(attached),
+            system,
+            current: self.current.first(count),
+            next: self.next.first(count),
             is_next_finite: self.is_next_finite,
             front: self.front,
             epoch: self.epoch,
@@ -219,6 +248,9 @@ impl<'a, R: Real> View<'a, R> {
             clock: self.clock,
             end: self.end,
             slot_of: self.slot_of,
+            sleep: self.sleep,
+            rest: self.rest,
+            watch: self.watch,
         }
     }
 

@@ -12,7 +12,7 @@ use crate::advice::{Subject, advise, largest_stable_step, limit_in_words, needed
 use crate::model::{Hold, Model};
 use crate::scene::{Settings, StepperName, TimeStep};
 use crate::simulate::{Start, choose_time_step};
-use crate::units::{bytes, count, seconds};
+use crate::units::{bytes, count, counted, seconds};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
@@ -70,11 +70,20 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
         row("planes", count(model.planes.len() as u64)),
         row("memory", format!("about {}", bytes(scene.bytes_needed()))),
         row("method", format!("{}, {}, {}", settings.stepper, settings.precision, settings.collision)),
+        row("sleep", sleep(settings, start)),
         row("steps", steps(settings, start)),
         row("frames", format!("{}, {} a second", count(start.schedule.frames()), settings.frame_rate)),
     ];
     rows.extend(start.linear_solver.map(|solver| row("linear solver", solver.to_string())));
     rows
+}
+
+fn sleep(settings: &Settings, start: &Start) -> String {
+    let Some(speed) = settings.sleep_speed else {
+        return "nothing does; sleep_speed lets what rests be left out".to_owned();
+    };
+    let islands = counted(start.plan.islands.into(), "island");
+    format!("{islands}: what is slower than {speed:?} m/s for a second is left out until something moves it")
 }
 
 fn steps(settings: &Settings, start: &Start) -> String {

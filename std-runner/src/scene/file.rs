@@ -42,6 +42,11 @@ pub(super) struct SceneFile {
     pub(super) tolerance: f64,
     /// What happens to a particle that meets a plane.
     pub(super) collision: CollisionForm,
+    /// Islands, the parts that springs connect, whose particles have all been slower than this for a second sleep:
+    /// they stay where they are and cost nothing, until a keyframed particle that they hang on moves. m/s, more than 0.
+    /// Default: nothing sleeps.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub(super) sleep_speed: Option<f64>,
     /// Where the pictures are taken from. What is left out is chosen to show everything.
     pub(super) camera: CameraChoice,
     /// Single particles.
@@ -74,6 +79,7 @@ impl Default for SceneFile {
             precision: Precision::default(),
             tolerance: TOLERANCE,
             collision: CollisionForm::default(),
+            sleep_speed: None,
             camera: CameraChoice::default(),
             particle: Vec::new(),
             spring: Vec::new(),
@@ -100,6 +106,7 @@ impl SceneFile {
             precision: self.precision,
             tolerance: self.tolerance,
             collision: self.collision,
+            sleep_speed: self.sleep_speed,
             camera: self.camera.clone(),
         }
     }

@@ -29,6 +29,9 @@ pub struct Overrides {
     /// What happens at a plane.
     #[arg(long, value_name = "FORM")]
     pub collision: Option<CollisionForm>,
+    /// Let islands slower than this for a second sleep, m/s.
+    #[arg(long, value_name = "SPEED", value_parser = number, allow_negative_numbers = true)]
+    pub sleep_speed: Option<f64>,
     /// Gravity, m/s², such as 0,0,-9.81.
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     pub gravity: Option<[f64; 3]>,
@@ -45,6 +48,7 @@ impl Settings {
             precision: overrides.precision.unwrap_or(self.precision),
             tolerance: overrides.tolerance.unwrap_or(self.tolerance),
             collision: overrides.collision.unwrap_or(self.collision),
+            sleep_speed: overrides.sleep_speed.or(self.sleep_speed),
             gravity: overrides.gravity.unwrap_or(self.gravity),
             ..self.clone()
         };

@@ -28,6 +28,8 @@ pub struct Settings {
     pub tolerance: f64,
     /// What happens at a plane.
     pub collision: CollisionForm,
+    /// m/s, more than 0: islands slower than this for a second sleep. Nothing sleeps without it.
+    pub sleep_speed: Option<f64>,
     /// Where the pictures are taken from.
     pub camera: CameraChoice,
 }
@@ -55,6 +57,9 @@ impl Settings {
         }
         checks::positive("frame_rate", self.frame_rate, "frames per second")?;
         checks::positive("tolerance", self.tolerance, "relative residual")?;
+        if let Some(speed) = self.sleep_speed {
+            checks::positive("sleep_speed", speed, "metres per second")?;
+        }
         check_camera(&self.camera).map_err(|problem| problem.inside("camera"))
     }
 }

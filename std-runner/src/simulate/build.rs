@@ -1,11 +1,12 @@
 //! A world made of a model.
 
 use hooke::{
-    AddParticleError, AddPlaneError, AddSpringError, Container, Hold, Particle, Plane, Real, SetError, Spring,
+    AddParticleError, AddPlaneError, AddSpringError, Container, Hold, Particle, Plane, Real, SetError, Sleep, Spring,
 };
 
 use super::heap::Heap;
 use crate::model::{Hold as ModelHold, Model, ModelParticle, ModelPlane, ModelSpring};
+use crate::scene::Settings;
 
 /// A world of any size.
 pub type HeapWorld<R> = Container<R, Heap>;
@@ -37,6 +38,18 @@ pub fn world<R: Real>(model: &Model, gravity: [f64; 3]) -> Result<HeapWorld<R>, 
         add_plane(&mut world, plane).map_err(|error| refused(format!("plane {number}"))(error.to_string()))?;
     }
     set_gravity(&mut world, gravity).map_err(|error| refused("gravity".into())(error.to_string()))?;
+    Ok(world)
+}
+
+/// The world of a model as the settings say: under their gravity, and with what rests asleep if they let it.
+///
+/// # Errors
+/// Like [`world`].
+pub fn world_with<R: Real>(model: &Model, settings: &Settings) -> Result<HeapWorld<R>, BuildError> {
+    let mut world = world(model, settings.gravity)?;
+    let sleep = settings.sleep_speed.map(|speed| Sleep::below(R::from_f64(speed)));
+    let refused = |error: SetError| BuildError { place: "sleep_speed".to_owned(), reason: error.to_string() };
+    world.set_sleep(sleep).map_err(refused)?;
     Ok(world)
 }
 

@@ -109,6 +109,10 @@ impl<R: Real> Stepper<R> for AnyStepper<R> {
     fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
         each!(self, stepper => stepper.look_ahead(view, time))
     }
+
+    fn rearranged(&mut self, view: &View<'_, R>) {
+        each!(self, stepper => stepper.rearranged(view))
+    }
 }
 
 /// Any of the collision responses.

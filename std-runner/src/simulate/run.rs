@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use hooke::{Ledger, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
 
-use super::build::{BuildError, HeapWorld, world};
+use super::build::{BuildError, HeapWorld, world_with};
 use super::frames::Frames;
 use super::method::{AnyResponse, AnyStepper};
 use super::schedule::{MOST, Schedule};
@@ -84,7 +84,7 @@ impl Start {
     /// # Errors
     /// If the model does not fit that precision.
     pub fn of<R: Real>(model: &Model, settings: &Settings) -> Result<Self, BuildError> {
-        Ok(Self::in_world(&mut world::<R>(model, settings.gravity)?, settings))
+        Ok(Self::in_world(&mut world_with::<R>(model, settings)?, settings))
     }
 
     fn in_world<R: Real>(world: &mut HeapWorld<R>, settings: &Settings) -> Self {
@@ -112,7 +112,7 @@ pub fn run<R: Sample>(
     begin: impl FnOnce(&Start) -> Result<Vec<BoxedRecorder<R>>, RecordError>,
     options: &Options<'_>,
 ) -> Result<Summary, RunError> {
-    let mut world = world::<R>(model, settings.gravity)?;
+    let mut world = world_with::<R>(model, settings)?;
     let tracks = Tracks::of(model);
     let start = Start::in_world(&mut world, settings);
     if !start.schedule.is_countable() {
@@ -145,6 +145,7 @@ pub fn run<R: Sample>(
     run.summary.stepping = began.elapsed().saturating_sub(taken.waiting);
     let view = world.view();
     run.summary.time = view.time();
+    run.summary.islands_asleep = view.plan().islands_asleep;
     run.summary.balance = run.method.ledger.map(|ledger| ledger.balance(&view));
     Ok(run.summary)
 }
@@ -165,6 +166,7 @@ fn summary(start: Start) -> Summary {
         waiting: Duration::ZERO,
         recording: Duration::ZERO,
         balance: None,
+        islands_asleep: 0,
         hits: 0,
         capped: 0,
         degenerate_springs: 0,

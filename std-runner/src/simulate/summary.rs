@@ -53,6 +53,8 @@ pub struct Summary {
     pub recording: Duration,
     /// The energy ledger, if it was kept.
     pub balance: Option<Balance>,
+    /// Islands that slept at the end; the plan says how many there are.
+    pub islands_asleep: u32,
     /// Bounces.
     pub hits: u64,
     /// Particles that were stopped on planes because their bounces were too many to follow.

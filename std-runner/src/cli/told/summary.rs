@@ -21,6 +21,10 @@ pub(in crate::cli) fn summary(settings: &Settings, summary: &Summary, files: &[S
         let what = "times a particle was stopped on a plane, its bounces being too many to follow";
         facts.push(fact("capped", format!("{} {what}", count(summary.capped))));
     }
+    if settings.sleep_speed.is_some() {
+        let islands = counted(summary.plan.islands.into(), "island");
+        facts.push(fact("asleep", format!("{} of {islands} at the end", count(summary.islands_asleep.into()))));
+    }
     if summary.degenerate_springs > 0 {
         let springs = counted(summary.degenerate_springs.into(), "spring");
         facts.push(fact("length 0", format!("up to {springs} at once; without a direction they pull at nothing")));

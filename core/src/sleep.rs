@@ -1,0 +1,120 @@
+//! Falling asleep: what rests is looked at now and then, and left out of the steps to come once it has rested for long.
+
+use crate::Real;
+use crate::roles::Observer;
+use crate::types::{Sleep, StepError, StepReport};
+use crate::vectors::{at, difference, dot, fetch, put, read, store};
+use crate::world::{Mark, View};
+
+/// Looks in a row that must find an island calm; they are spread evenly over the time that is asked for.
+const LOOKS: u8 = 8;
+
+/// What counts as calm: squares of a speed and of its change in a step.
+struct Calm<R> {
+    speed: R,
+    change: R,
+}
+
+impl<R: Real> View<'_, R> {
+    /// Takes a step without what sleeps.
+    pub(crate) fn step_awake(
+        &mut self,
+        step: impl FnOnce(&mut View<'_, R>) -> Result<StepReport, StepError>,
+    ) -> Result<StepReport, StepError> {
+        let front = *self.front;
+        let mut stepped = step(&mut self.awake());
+        if *self.front != front {
+            core::mem::swap(&mut self.current, &mut self.next);
+        }
+        if let Ok(report) = &mut stepped {
+            report.islands_asleep = self.system.plan.islands_asleep;
+        }
+        stepped
+    }
+
+    /// After a step of `dt`, puts what has rested for long enough to sleep, if it is time to look. Returns whether any did.
+    pub(crate) fn fall_asleep(&mut self, sleep: Sleep<R>, dt: R, observer: &mut impl Observer<R>) -> bool {
+        self.watch.since += dt.to_f64();
+        let interval = sleep.time.to_f64() / f64::from(LOOKS);
+        // A rounding less: so many steps may add up to a little less than the time that they make up.
+        if self.watch.since < (1.0 - 1e-6) * interval {
+            return false;
+        }
+        self.watch.since = 0.0;
+        let change = sleep.speed * (dt / R::from_f64(interval));
+        let calm = Calm { speed: sleep.speed * sleep.speed, change: change * change };
+        self.stir_what_hangs_on_movers();
+        let lost = self.look(&calm);
+        if let Some(lost) = lost {
+            observer.fell_asleep(lost);
+            self.watch.fell_asleep = true;
+        }
+        lost.is_some()
+    }
+
+    /// A held particle that moves keeps everything awake that hangs on it.
+    fn stir_what_hangs_on_movers(&mut self) {
+        let system = &self.system;
+        let awake = system.plan.awake();
+        if awake.held == 0 {
+            return;
+        }
+        for (slot, incidences) in system.springs.by_slot(awake.attached) {
+            if system.is_dynamic(slot) || fetch(read(&self.current.velocity), slot) == [R::ZERO; 3] {
+                continue;
+            }
+            for incidence in incidences {
+                let particle = at(system.particle_at, incidence.neighbour);
+                put(self.rest, particle, Mark::from_byte(at(self.rest, particle)).stirred().to_byte());
+            }
+        }
+    }
+
+    /// Looks at all islands that are awake. Returns the kinetic energy that was left in those that fell asleep, J.
+    fn look(&mut self, calm: &Calm<R>) -> Option<f64> {
+        let mut lost = None;
+        let (mut first, mut all_calm, mut any_dynamic) = (0, true, false);
+        for slot in 0..self.system.plan.awake().attached {
+            let particle = at(self.system.particle_at, slot);
+            let mark = Mark::from_byte(at(self.rest, particle));
+            all_calm &= self.is_calm(slot, calm) && !mark.is_stirred();
+            any_dynamic |= self.system.is_dynamic(slot);
+            if !mark.is_last() {
+                put(self.rest, particle, mark.looked_at(0).to_byte());
+                continue;
+            }
+            let looks = if all_calm && any_dynamic { mark.looks() + 1 } else { 0 };
+            put(self.rest, particle, mark.looked_at(looks).to_byte());
+            if looks >= LOOKS {
+                *lost.get_or_insert(0.0) += self.put_to_sleep(first, slot);
+            }
+            (first, all_calm, any_dynamic) = (slot + 1, true, false);
+        }
+        lost
+    }
+
+    /// Just after a step the next state still is the one before it.
+    fn is_calm(&self, slot: u32, calm: &Calm<R>) -> bool {
+        let velocity = fetch(read(&self.current.velocity), slot);
+        if !self.system.is_dynamic(slot) {
+            return velocity == [R::ZERO; 3];
+        }
+        let change = difference(velocity, fetch(read(&self.next.velocity), slot));
+        dot(velocity, velocity) < calm.speed && dot(change, change) < calm.change
+    }
+
+    /// The island in these slots. Returns the kinetic energy that was left in it, J.
+    fn put_to_sleep(&mut self, first: u32, last: u32) -> f64 {
+        let mut lost = 0.0;
+        for slot in first..=last {
+            let velocity = fetch(read(&self.current.velocity), slot).map(Real::to_f64);
+            if self.system.is_dynamic(slot) {
+                lost += 0.5 * at(self.system.mass, slot).to_f64() * dot(velocity, velocity);
+            }
+            store(&mut self.current.velocity, slot, [R::ZERO; 3]);
+            let particle = at(self.system.particle_at, slot);
+            put(self.rest, particle, Mark::from_byte(at(self.rest, particle)).sleeping().to_byte());
+        }
+        lost
+    }
+}
