@@ -1,42 +1,35 @@
 //! One step, beside the textbook loop on the same scene in the same group: compare within a group, not between runs.
 #![allow(missing_docs, clippy::expect_used)]
 
-use std::path::Path;
-
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Project, Real};
+use hooke_benches::mesh::irregular;
+use hooke_benches::scenes::{GRAVITY, balls, block, cloth, rope, ropes};
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
-use hooke_runner::scene::{Scene, StepperName};
+use hooke_runner::model::Model;
+use hooke_runner::scene::StepperName;
 use hooke_runner::simulate::{AnyStepper, world};
 
 /// s; stable on all of these scenes.
-const TIME_STEP: f64 = 1e-3;
+const TIME_STEP: f64 = 1e-4;
 
-fn scene(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
-    Scene::load(&path).expect("a sound scene")
-}
-
-fn textbook<V: Vector>(group: &mut BenchmarkGroup<'_, WallTime>, label: &str, scene: &Scene)
+fn textbook<V: Vector>(group: &mut BenchmarkGroup<'_, WallTime>, label: &str, model: &Model)
 where
     V::Real: Scalar,
 {
-    let model = scene.model().expect("a scene that fits");
-    let gravity = scene.settings().gravity;
-    let mut textbook = Textbook::<V>::new(&model, gravity, Response::Project).expect("no keyframes");
+    let mut textbook = Textbook::<V>::new(model, GRAVITY, Response::Project).expect("no keyframes");
     let dt = V::Real::from_f64(TIME_STEP);
     group.bench_function(format!("textbook semi-implicit-euler {label}"), |bencher| {
         bencher.iter(|| textbook.step_semi_implicit_euler(dt));
     });
 }
 
-fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, scene: &Scene) {
-    let model = scene.model().expect("a scene that fits");
-    for name in [StepperName::SemiImplicitEuler, StepperName::VelocityVerlet] {
-        let mut world = world::<R>(&model, scene.settings().gravity).expect("a scene in range");
+fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, model: &Model) {
+    for name in [StepperName::ExplicitEuler, StepperName::SemiImplicitEuler, StepperName::VelocityVerlet] {
+        let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
         let mut stepper = AnyStepper::named(name, 1e-6);
         let dt = R::from_f64(TIME_STEP);
         group.bench_function(format!("{name} {precision}"), |bencher| {
@@ -46,16 +39,28 @@ fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, scen
 }
 
 fn step(criterion: &mut Criterion) {
-    for name in ["cloth-32", "cloth-64", "rope-1000"] {
-        let scene = scene(name);
-        let springs = scene.model().expect("a scene that fits").springs.len() as u64;
+    let scenes: [(&str, fn() -> Model); 11] = [
+        ("cloth-32", || cloth(32, 0.05)),
+        ("cloth-64", || cloth(64, 0.05)),
+        ("cloth-256", || cloth(256, 0.05)),
+        ("cloth-1024", || cloth(1024, 0.05)),
+        ("rope-1000", || rope(1000)),
+        ("rope-100000", || rope(100_000)),
+        ("block-16", || block(16)),
+        ("block-64", || block(64)),
+        ("mesh-64", || irregular(64)),
+        ("balls-100000", || balls(100_000)),
+        ("ropes-1000x100", || ropes(1000, 100)),
+    ];
+    for (name, make) in scenes {
+        let model = make();
         let mut group = criterion.benchmark_group(format!("step {name}"));
-        group.throughput(Throughput::Elements(springs));
-        textbook::<Vec3>(&mut group, "Vec3", &scene);
-        textbook::<Vec3A>(&mut group, "Vec3A", &scene);
-        textbook::<DVec3>(&mut group, "DVec3", &scene);
-        ours::<f32>(&mut group, "f32", &scene);
-        ours::<f64>(&mut group, "f64", &scene);
+        group.sample_size(10).throughput(Throughput::Elements(model.springs.len().max(model.particles.len()) as u64));
+        textbook::<Vec3>(&mut group, "Vec3", &model);
+        textbook::<Vec3A>(&mut group, "Vec3A", &model);
+        textbook::<DVec3>(&mut group, "DVec3", &model);
+        ours::<f32>(&mut group, "f32", &model);
+        ours::<f64>(&mut group, "f64", &model);
         group.finish();
     }
 }
