@@ -38,6 +38,8 @@
 //!   gets a list of its springs, and a [`Plan`] says what there is, so that a step leaves out what there is not.
 //! - Forces take two passes without a write conflict: one scalar a spring (`forces/densities.rs`: the hot loop), then one
 //!   sum a particle (`forces/accelerations.rs`).
+//! - Islands, the connected parts of the spring graph, sleep while they rest if [`Container::set_sleep`] allows it
+//!   (`sleep.rs`): they are moved to the last slots (`world/islands.rs`), and steps see a view without those.
 //! - A [`Stepper`] makes the next state from the current one, beside it; a [`Response`] answers the collisions on the way
 //!   and makes the next state the current one. So a step that fails leaves the state as it was.
 //! - An [`Observer`] such as the [`Ledger`] follows the parts of a step, and costs nothing where there is none.

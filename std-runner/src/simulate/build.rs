@@ -5,8 +5,8 @@ use hooke::{
 };
 
 use super::heap::Heap;
-use crate::scene::Settings;
 use crate::model::{Hold as ModelHold, Model, ModelParticle, ModelPlane, ModelSpring};
+use crate::scene::Settings;
 
 /// A world of any size.
 pub type HeapWorld<R> = Container<R, Heap>;
