@@ -4,8 +4,8 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use hooke::{Project, SemiImplicitEuler, Sleep};
-use hooke_benches::scenes::{GRAVITY, cloth, ropes};
+use hooke::{Project, SemiImplicitEuler};
+use hooke_benches::scenes::{GRAVITY, cloth};
 use hooke_runner::model::{Hold, Model, ModelPlane};
 use hooke_runner::simulate::{HeapWorld, world};
 
@@ -69,24 +69,6 @@ fn skips(criterion: &mut Criterion) {
         }),
         plain(),
     );
-    pair(criterion, "islands asleep", ropes_at_rest(None), ropes_at_rest(Some(Sleep::below(1.0).after(1e-3))));
-}
-
-/// A thousand ropes, ten of them swinging.
-fn ropes_at_rest(sleep: Option<Sleep<f32>>) -> HeapWorld<f32> {
-    let mut model = ropes(1000, 100);
-    for (number, particle) in model.particles.iter_mut().enumerate() {
-        if number < 1000 {
-            particle.velocity = [0.0, 10.0, 0.0];
-        }
-    }
-    // Without gravity the others hang as they are.
-    let mut world = built(&model, [0.0; 3]);
-    world.set_sleep(sleep).expect("a sound threshold");
-    for _ in 0..50 {
-        world.step(&mut SemiImplicitEuler, &mut Project, TIME_STEP).expect("a stable step");
-    }
-    world
 }
 
 criterion_group!(benches, skips);

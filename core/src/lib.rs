@@ -43,6 +43,8 @@
 //!   cache. The hot loop is in `forces/diagonal.rs`; it is compiled for several sets of vector instructions ([`Lanes`]), and
 //!   tiles may be shared among threads ([`Workers`]).
 //! - What no tile can reach is not tested for hits (`reach.rs`).
+//! - Islands, the connected parts of the spring graph, sleep while they rest if [`Container::set_sleep`] allows it
+//!   (`sleep.rs`): they are moved to the last slots (`world/islands.rs`), and steps see a view without those.
 //! - A [`Stepper`] makes the next state from the current one, beside it; a [`Response`] answers the collisions on the way
 //!   and makes the next state the current one. So a step that fails leaves the state as it was.
 //! - An [`Observer`] such as the [`Ledger`] follows the parts of a step, and costs nothing where there is none.

@@ -78,10 +78,9 @@ fn are_what_a_search_finds() {
         assert_eq!(plan.islands_asleep, plan.islands, "seed {seed}");
         assert_eq!(plan.asleep as usize, islands.iter().map(BTreeSet::len).sum::<usize>(), "seed {seed}");
         most = most.max(islands.len());
-        let pins = (0..model.particles.len() as u32).filter(|particle| is_held(&model, *particle));
-        shared |= pins
-            .into_iter()
-            .any(|pin| neighbours(&model, pin).next().is_some() && islands.iter().all(|island| !island.contains(&pin)));
+        let alone = |pin: u32| islands.iter().all(|island| !island.contains(&pin));
+        shared |= (0..model.particles.len() as u32)
+            .any(|pin| is_held(&model, pin) && neighbours(&model, pin).next().is_some() && alone(pin));
     }
     // Else there was little to find.
     assert!(most >= 5 && shared, "{most} islands at most");

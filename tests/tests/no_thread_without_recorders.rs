@@ -2,9 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 #![cfg(target_os = "linux")]
 
-use std::cell::Cell;
 use std::fs;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use hooke_runner::record::{BoxedRecorder, CsvRecorder};
 use hooke_runner::scene::Scene;
@@ -12,12 +11,12 @@ use hooke_runner::simulate::{Options, Progress, run};
 use hooke_tests::scene_runs::shipped;
 
 /// Counts the threads of this process at a step.
-struct Threads(Cell<usize>);
+struct Threads(AtomicUsize);
 
 impl Progress for Threads {
     fn reached(&self, _time: f64, _duration: f64) {
-        if self.0.get() == 0 {
-            self.0.set(fs::read_dir("/proc/self/task").unwrap().count());
+        if self.0.load(Ordering::Relaxed) == 0 {
+            self.0.store(fs::read_dir("/proc/self/task").unwrap().count(), Ordering::Relaxed);
         }
     }
 }
@@ -25,11 +24,11 @@ impl Progress for Threads {
 fn threads(recorders: Vec<BoxedRecorder<f64>>) -> usize {
     let path = shipped().into_iter().find(|path| path.ends_with("vertical-spring.toml")).unwrap();
     let scene = Scene::load(&path).unwrap();
-    let progress = Threads(Cell::new(0));
+    let progress = Threads(AtomicUsize::new(0));
     let interrupted = AtomicBool::new(false);
     let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &progress };
     run::<f64>(&scene.model().unwrap(), scene.settings(), |_| Ok(recorders), &options).unwrap();
-    progress.0.get()
+    progress.0.into_inner()
 }
 
 #[test]

@@ -36,7 +36,7 @@ impl<'a> Sweep<'a> {
 
     /// What the springs of the next tile reach and has not been cleared yet, of these slots.
     #[inline(always)]
-    pub fn to_clear(&mut self, tile: &Range<u32>, slots: &Range<u32>) -> Range<u32> {
+    pub fn clearing(&mut self, tile: &Range<u32>, slots: &Range<u32>) -> Range<u32> {
         // A tile's first spring reaches furthest.
         let [i, j] = at(self.ends, self.spring);
         let reach = if i < tile.end { tile.end.saturating_add(j - i) } else { tile.end };

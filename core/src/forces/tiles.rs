@@ -69,7 +69,7 @@ impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);
             let is_ours = tile.start >= pulled.start;
-            for column in window_mut(lend(&mut out), within(&pulled, &sweep.to_clear(&tile, &pulled))) {
+            for column in window_mut(lend(&mut out), within(&pulled, &sweep.clearing(&tile, &pulled))) {
                 column.fill(R::ZERO);
             }
             for column in from_above.iter_mut() {
