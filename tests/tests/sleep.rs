@@ -110,7 +110,7 @@ fn the_awake_move_as_if_alone() {
 
 #[test]
 fn what_sleeps_stays() {
-    for stepper in StepperName::ALL {
+    for &stepper in StepperName::ALL {
         let mut world = empty::<f64>();
         let rope = hang(&mut world, [0.0, 0.0, 3.0], 5, [0.0; 3]);
         world.set_sleep(Some(soon())).unwrap();

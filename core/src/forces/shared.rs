@@ -32,9 +32,14 @@ fn share<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>, threads: u32) -> Ou
     let (lower, upper) = halves(work, slot);
     let (mut lower, mut upper) = (Some(lower), Some(upper));
     let (mut first, mut second) = (Outcome::default(), Outcome::default());
-    workers.both(&mut || first = lower.take().map_or(first, |half| share(half, first_threads)), &mut || {
-        second = upper.take().map_or(second, |half| share(half, threads - first_threads))
-    });
+    workers.both(
+        &mut || {
+            first = lower.take().map_or(first, |half| share(half, first_threads));
+        },
+        &mut || {
+            second = upper.take().map_or(second, |half| share(half, threads - first_threads));
+        },
+    );
     Outcome { degenerate: first.degenerate + second.degenerate, finite: first.finite && second.finite }
 }
 
