@@ -6,7 +6,7 @@ use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterio
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Project, Real};
 use hooke_benches::mesh::irregular;
-use hooke_benches::scenes::{GRAVITY, balls, block, cloth, rope, ropes};
+use hooke_benches::scenes::{GRAVITY, Named, balls, block, cloth, rope, ropes};
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
 use hooke_runner::model::Model;
@@ -39,7 +39,7 @@ fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, mode
 }
 
 fn step(criterion: &mut Criterion) {
-    let scenes: [(&str, fn() -> Model); 11] = [
+    let scenes: [Named; 11] = [
         ("cloth-32", || cloth(32, 0.05)),
         ("cloth-64", || cloth(64, 0.05)),
         ("cloth-256", || cloth(256, 0.05)),

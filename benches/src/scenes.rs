@@ -5,6 +5,9 @@ use std::io::Write;
 use hooke_runner::model::Model;
 use hooke_runner::scene::Scene;
 
+/// A scene's name, and what makes it.
+pub type Named = (&'static str, fn() -> Model);
+
 /// m/s², in all of them.
 pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 

@@ -12,7 +12,7 @@ use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Lanes, Project, Real, SemiImplicitEuler, VelocityVerlet};
 use hooke_benches::interleaved::{Contender, least_times};
 use hooke_benches::mesh::irregular;
-use hooke_benches::scenes::{GRAVITY, balls, block, cloth, rope, ropes};
+use hooke_benches::scenes::{GRAVITY, Named, balls, block, cloth, rope, ropes};
 use hooke_benches::stamp::stamp;
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
@@ -25,7 +25,7 @@ const ROUNDS: u32 = 7;
 
 fn main() -> std::io::Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).collect();
-    let scenes: [(&str, fn() -> Model); 13] = [
+    let scenes: [Named; 13] = [
         ("cloth-32", || cloth(32, 0.05)),
         ("cloth-64", || cloth(64, 0.05)),
         ("cloth-256", || cloth(256, 0.05)),

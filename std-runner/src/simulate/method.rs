@@ -111,11 +111,12 @@ impl<R: Real> Stepper<R> for AnyStepper<R> {
     }
 
     fn rearranged(&mut self, view: &View<'_, R>) {
-        each!(self, stepper => stepper.rearranged(view))
+        each!(self, stepper => stepper.rearranged(view));
     }
 }
 
 /// Any of the collision responses.
+#[allow(clippy::large_enum_variant, reason = "there is one of it in a run")]
 pub enum AnyResponse<R: Real> {
     /// `reflect`
     Reflect(Reflect),
