@@ -5,15 +5,14 @@
 //! not depend on where the balls are, but for the few that it reflects.
 #![allow(missing_docs, clippy::expect_used)]
 
-use std::path::Path;
-
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Auto, Real, TimeOfImpact};
+use hooke_benches::scenes::{self, GRAVITY};
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
-use hooke_runner::scene::Scene;
+use hooke_runner::model::Model;
 use hooke_runner::simulate::{Heap, world};
 
 /// s
@@ -23,23 +22,20 @@ const STEPS: u32 = 100;
 /// 10 s at 60 a second.
 const FRAMES: u32 = 600;
 
-fn textbook<V: Vector>(group: &mut BenchmarkGroup<'_, WallTime>, label: &str, scene: &Scene)
+fn textbook<V: Vector>(group: &mut BenchmarkGroup<'_, WallTime>, label: &str, model: &Model)
 where
     V::Real: Scalar,
 {
-    let model = scene.model().expect("a scene that fits");
-    let gravity = scene.settings().gravity;
-    let mut textbook = Textbook::<V>::new(&model, gravity, Response::Project).expect("no keyframes");
+    let mut textbook = Textbook::<V>::new(model, GRAVITY, Response::Project).expect("no keyframes");
     let dt = V::Real::from_f64(TIME_STEP);
     group.bench_function(format!("textbook semi-implicit-euler {label}, 0.1 s"), |bencher| {
         bencher.iter(|| (0..STEPS).for_each(|_| textbook.step_semi_implicit_euler(dt)));
     });
 }
 
-fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, scene: &Scene) {
-    let model = scene.model().expect("a scene that fits");
+fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, model: &Model) {
     group.bench_function(format!("auto {precision}, 10 s"), |bencher| {
-        let start = || world::<R>(&model, scene.settings().gravity).expect("a scene in range");
+        let start = || world::<R>(model, GRAVITY).expect("a scene in range");
         bencher.iter_with_setup(start, |mut world| {
             let (mut stepper, mut response) = (Auto::<R, Heap>::new(1e-6), TimeOfImpact::<R, Heap>::new());
             for frame in 1..=FRAMES {
@@ -53,15 +49,14 @@ fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, scen
 }
 
 fn balls(criterion: &mut Criterion) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/balls.toml");
-    let scene = Scene::load(&path).expect("a sound scene");
+    let model = scenes::balls(100_000);
     let mut group = criterion.benchmark_group("balls");
     group.sample_size(10);
-    textbook::<Vec3>(&mut group, "Vec3", &scene);
-    textbook::<Vec3A>(&mut group, "Vec3A", &scene);
-    ours::<f32>(&mut group, "f32", &scene);
-    textbook::<DVec3>(&mut group, "DVec3", &scene);
-    ours::<f64>(&mut group, "f64", &scene);
+    textbook::<Vec3>(&mut group, "Vec3", &model);
+    textbook::<Vec3A>(&mut group, "Vec3A", &model);
+    ours::<f32>(&mut group, "f32", &model);
+    textbook::<DVec3>(&mut group, "DVec3", &model);
+    ours::<f64>(&mut group, "f64", &model);
     group.finish();
 }
 

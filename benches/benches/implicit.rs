@@ -1,13 +1,11 @@
 //! One step of implicit Euler, with room for a factor and without: compare within a group, not between runs.
 #![allow(missing_docs, clippy::expect_used)]
 
-use std::path::Path;
-
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use hooke::{ImplicitEuler, Project, Real};
-use hooke_runner::model::{Model, ModelParticle, ModelSpring};
-use hooke_runner::scene::Scene;
+use hooke_benches::scenes::{GRAVITY, cloth, rope};
+use hooke_runner::model::Model;
 use hooke_runner::simulate::{FILL, Heap, world};
 
 /// s; a frame.
@@ -18,34 +16,13 @@ const WARM_UP: u32 = 10;
 /// N/m
 const STIFF: f64 = 1e5;
 
-fn load(name: &str) -> Model {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
-    Scene::load(&path).expect("a sound scene").model().expect("a scene that fits")
-}
-
-/// The rope of 1,000, shorter or longer.
-fn rope(particles: u32) -> Model {
-    let Model { particles: some, springs, .. } = load("rope-1000");
-    let (first, second, spring) = (&some[0], &some[1], &springs[0]);
-    let particle = |number: u32| match number {
-        0 => *first,
-        _ => ModelParticle { position: second.position.map(|component| component * f64::from(number)), ..*second },
-    };
-    let spring = |number: u32| ModelSpring { between: [number - 1, number], ..*spring };
-    Model {
-        particles: (0..particles).map(particle).collect(),
-        springs: (1..particles).map(spring).collect(),
-        ..Model::default()
-    }
-}
-
 fn stiff(mut model: Model) -> Model {
     model.springs.iter_mut().for_each(|spring| spring.stiffness = STIFF);
     model
 }
 
 fn steps<R: Real, const FILL: usize>(group: &mut BenchmarkGroup<'_, WallTime>, model: &Model) {
-    let mut world = world::<R>(model, [0.0, 0.0, -9.81]).expect("a model in range");
+    let mut world = world::<R>(model, GRAVITY).expect("a model in range");
     let mut stepper = ImplicitEuler::<R, Heap, FILL>::new(1e-6);
     let dt = R::from_f64(TIME_STEP);
     let solver = stepper.linear_solver(&world.view(), dt).expect("room on the heap");
@@ -66,9 +43,10 @@ fn steps<R: Real, const FILL: usize>(group: &mut BenchmarkGroup<'_, WallTime>, m
 
 fn implicit(criterion: &mut Criterion) {
     let ropes = [100, 1_000, 10_000, 100_000].map(|particles| (format!("rope {particles}"), rope(particles)));
-    let cloths = ["cloth-16", "cloth-32", "cloth-64"]
-        .into_iter()
-        .flat_map(|name| [(name.to_owned(), load(name)), (format!("stiff {name}"), stiff(load(name)))]);
+    let cloths = [16, 32, 64].into_iter().flat_map(|side| {
+        let soft = cloth(side, 0.05);
+        [(format!("cloth-{side}"), soft.clone()), (format!("stiff cloth-{side}"), stiff(soft))]
+    });
     for (name, model) in ropes.into_iter().chain(cloths) {
         let mut group = criterion.benchmark_group(format!("implicit {name}"));
         group.throughput(Throughput::Elements(model.springs.len() as u64)).sample_size(10);

@@ -5,8 +5,7 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Project, Real};
-use hooke_benches::mesh::irregular;
-use hooke_benches::scenes::{GRAVITY, Named, balls, block, cloth, rope, ropes};
+use hooke_benches::scenes::{GRAVITY, STEP};
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
 use hooke_runner::model::Model;
@@ -39,20 +38,7 @@ fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, mode
 }
 
 fn step(criterion: &mut Criterion) {
-    let scenes: [Named; 11] = [
-        ("cloth-32", || cloth(32, 0.05)),
-        ("cloth-64", || cloth(64, 0.05)),
-        ("cloth-256", || cloth(256, 0.05)),
-        ("cloth-1024", || cloth(1024, 0.05)),
-        ("rope-1000", || rope(1000)),
-        ("rope-100000", || rope(100_000)),
-        ("block-16", || block(16)),
-        ("block-64", || block(64)),
-        ("mesh-64", || irregular(64)),
-        ("balls-100000", || balls(100_000)),
-        ("ropes-1000x100", || ropes(1000, 100)),
-    ];
-    for (name, make) in scenes {
+    for (name, make) in STEP {
         let model = make();
         let mut group = criterion.benchmark_group(format!("step {name}"));
         group.sample_size(10).throughput(Throughput::Elements(model.springs.len().max(model.particles.len()) as u64));

@@ -2,11 +2,29 @@
 
 use std::io::Write;
 
+use crate::mesh::irregular;
 use hooke_runner::model::Model;
 use hooke_runner::scene::Scene;
 
 /// A scene's name, and what makes it.
 pub type Named = (&'static str, fn() -> Model);
+
+/// What a step is measured on.
+pub const STEP: [Named; 13] = [
+    ("cloth-32", || cloth(32, 0.05)),
+    ("cloth-64", || cloth(64, 0.05)),
+    ("cloth-256", || cloth(256, 0.05)),
+    ("cloth-1024", || cloth(1024, 0.05)),
+    ("cloth-64-undamped", || cloth(64, 0.0)),
+    ("rope-1000", || rope(1000)),
+    ("rope-100000", || rope(100_000)),
+    ("block-16", || block(16)),
+    ("block-64", || block(64)),
+    ("mesh-64", || irregular(64)),
+    ("mesh-256", || irregular(256)),
+    ("ropes-1000x100", || ropes(1000, 100)),
+    ("balls-100000", || balls(100_000)),
+];
 
 /// m/s², in all of them.
 pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];

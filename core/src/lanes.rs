@@ -10,14 +10,13 @@
 
 /// A set of vector instructions, narrowest first. A world steps with the widest that there is; this is how to ask for
 /// less, to compare.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Lanes {
     /// What the whole program has been compiled for: SSE2 on x86-64 unless it was told more.
     Baseline,
     /// 256 bits: eight `f32` or four `f64`.
     Avx2,
     /// 512 bits: sixteen `f32` or eight `f64`.
-    #[default]
     Avx512,
 }
 

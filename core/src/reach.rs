@@ -7,7 +7,7 @@ use crate::lanes::{self, Kernel, Lanes};
 use crate::rounding::rounding;
 use crate::types::Plane;
 use crate::vectors::{Columns, read, triples, window};
-use crate::world::{State, TILE};
+use crate::world::State;
 
 /// Boxes that are grown at once, one a lane: the largest and the smallest of many are found lane by lane.
 const LANES: usize = 16;
@@ -50,12 +50,6 @@ impl<R: Real> Reach<R> {
         let clear = lowest > R::from_f64(8.0) * rounding(size);
         !clear
     }
-}
-
-/// The slots of a range, a tile at a time.
-pub fn tiles(slots: Range<u32>) -> impl Iterator<Item = Range<u32>> {
-    let end = slots.end;
-    slots.step_by(TILE as usize).map(move |start| start..start.saturating_add(TILE).min(end))
 }
 
 struct Grow<'a, R> {

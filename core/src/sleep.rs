@@ -1,6 +1,7 @@
 //! Falling asleep: what rests is looked at now and then, and left out of the steps to come once it has rested for long.
 
 use crate::Real;
+use crate::forces::energy::kinetic_of;
 use crate::roles::Observer;
 use crate::types::{Sleep, StepError, StepReport};
 use crate::vectors::{at, difference, dot, fetch, put, read, store};
@@ -107,10 +108,7 @@ impl<R: Real> View<'_, R> {
     fn put_to_sleep(&mut self, first: u32, last: u32) -> f64 {
         let mut lost = 0.0;
         for slot in first..=last {
-            let velocity = fetch(read(&self.current.velocity), slot).map(Real::to_f64);
-            if self.system.is_dynamic(slot) {
-                lost += 0.5 * at(self.system.mass, slot).to_f64() * dot(velocity, velocity);
-            }
+            lost += kinetic_of(&self.system, &self.current, slot);
             store(&mut self.current.velocity, slot, [R::ZERO; 3]);
             let particle = at(self.system.particle_at, slot);
             put(self.rest, particle, Mark::from_byte(at(self.rest, particle)).sleeping().to_byte());

@@ -11,8 +11,7 @@ use std::path::Path;
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Lanes, Project, Real, SemiImplicitEuler, VelocityVerlet};
 use hooke_benches::interleaved::{Contender, least_times};
-use hooke_benches::mesh::irregular;
-use hooke_benches::scenes::{GRAVITY, Named, balls, block, cloth, rope, ropes};
+use hooke_benches::scenes::{GRAVITY, STEP};
 use hooke_benches::stamp::stamp;
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
@@ -25,23 +24,8 @@ const ROUNDS: u32 = 7;
 
 fn main() -> std::io::Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).collect();
-    let scenes: [Named; 13] = [
-        ("cloth-32", || cloth(32, 0.05)),
-        ("cloth-64", || cloth(64, 0.05)),
-        ("cloth-256", || cloth(256, 0.05)),
-        ("cloth-1024", || cloth(1024, 0.05)),
-        ("cloth-64-undamped", || cloth(64, 0.0)),
-        ("rope-1000", || rope(1000)),
-        ("rope-100000", || rope(100_000)),
-        ("block-16", || block(16)),
-        ("block-64", || block(64)),
-        ("mesh-64", || irregular(64)),
-        ("mesh-256", || irregular(256)),
-        ("ropes-1000x100", || ropes(1000, 100)),
-        ("balls-100000", || balls(100_000)),
-    ];
     let mut csv = format!("# {}\nscene,contender,springs,particles,ns_per_step\n", stamp());
-    for (name, make) in scenes {
+    for (name, make) in STEP {
         if asked.is_empty() || asked.iter().any(|asked| asked == name) {
             race(name, &make(), &mut csv);
         }

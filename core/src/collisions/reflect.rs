@@ -3,11 +3,11 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::reach::{Reach, tiles};
+use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, store};
-use crate::world::{State, System, View};
+use crate::world::{State, System, View, tiles};
 
 /// Once, after the positions are updated, planes in file order: a particle with n·x < offset and n·v < 0 gets −e times
 /// its normal velocity. It stays where it is.

@@ -8,12 +8,12 @@ use core::ops::Range;
 use crate::Real;
 use crate::contact::{lies_on, resting, support, touching};
 use crate::forces::pull;
-use crate::reach::{Reach, tiles};
+use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
 use crate::rounding::rounding;
 use crate::types::{Full, Plane, StepError, StepReport};
 use crate::vectors::{along, at, dot, fetch, read, size, store};
-use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View};
+use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View, tiles};
 
 /// Parts that hits may cut one step into. What hits after that is stopped where it is, and reported.
 const MOST_SUBSTEPS: u32 = 64;

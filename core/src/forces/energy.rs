@@ -7,13 +7,16 @@ use crate::world::{Coverage, Incidence, State, System};
 
 /// Σ ½ m v² over the particles that are not held, J.
 pub fn kinetic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
-    sum(system.plan.particles, |slot| {
-        if !system.is_dynamic(slot) {
-            return 0.0;
-        }
-        let v = exactly(&state.velocity, slot);
-        0.5 * at(system.mass, slot).to_f64() * dot(v, v)
-    })
+    sum(system.plan.particles, |slot| kinetic_of(system, state, slot))
+}
+
+/// ½ m v² of one particle, J; 0 if it is held.
+pub fn kinetic_of<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32) -> f64 {
+    if !system.is_dynamic(slot) {
+        return 0.0;
+    }
+    let v = exactly(&state.velocity, slot);
+    0.5 * at(system.mass, slot).to_f64() * dot(v, v)
 }
 
 /// −Σ m g·x over the particles that are not held, J.

@@ -6,9 +6,7 @@ use core::ops::Range;
 use super::law::force_density;
 use super::tiles::Forces;
 use crate::Real;
-use crate::vectors::{
-    Columns, ColumnsMut, along, difference, fetch, lend, read, scaled, store, triples, triples_mut, window,
-};
+use crate::vectors::{Columns, ColumnsMut, along, difference, fetch, lend, read, store, triples, triples_mut, window};
 use crate::world::{Law, Springs, TILE};
 
 /// Springs whose roots and divisions are taken together: what the widest lanes hold.
@@ -22,95 +20,85 @@ pub fn add<R: Real, const DAMPED: bool>(
     forces: &mut Forces<'_, R>,
 ) -> u32 {
     // With lengths that are known to be the same, an index is checked once for all columns.
-    let Some(count) = forces.position.first().map(|column| column.len()) else { return 0 };
-    let (Some(position), Some(velocity)) = (alike(forces.position, count), alike(forces.velocity, count)) else {
-        return 0;
-    };
-    let below_count = forces.below.first().map_or(0, |column| column.len());
-    let above_count = TILE as usize;
-    let (Some(above), Some(below)) =
-        (alike_mut(lend(&mut forces.above), above_count), alike_mut(lend(&mut forces.below), below_count))
-    else {
-        return 0;
-    };
-    let mut batches = Batches { position, velocity, start: forces.start, above, slots: forces.slots.clone(), below };
+    let Some(mut forces) = alike(forces) else { return 0 };
     let mut degenerate = 0;
     let mut first = range.start;
     while first < range.end {
         let end = range.end.min(first + BATCH as u32);
-        degenerate += batches.add::<DAMPED>(springs, first..end);
+        degenerate += add_batch::<R, DAMPED>(springs, first..end, &mut forces);
         first = end;
     }
     degenerate
 }
 
+/// The same with columns of the same length; nothing if one is too short.
+#[inline(always)]
+fn alike<'a, R>(forces: &'a mut Forces<'_, R>) -> Option<Forces<'a, R>> {
+    let count = |columns: Columns<'_, R>| columns.first().map_or(0, |column| column.len());
+    let (all, below) = (count(forces.position), count(read(&forces.below)));
+    Some(Forces {
+        position: cut(forces.position, all)?,
+        velocity: cut(forces.velocity, all)?,
+        start: forces.start,
+        above: cut_mut(lend(&mut forces.above), TILE as usize)?,
+        slots: forces.slots.clone(),
+        below: cut_mut(lend(&mut forces.below), below)?,
+        nowhere: lend(&mut forces.nowhere),
+    })
+}
+
 /// The first so many items of each column; nothing if one has fewer.
 #[inline(always)]
-fn alike<R>([x, y, z]: Columns<'_, R>, count: usize) -> Option<Columns<'_, R>> {
+fn cut<R>([x, y, z]: Columns<'_, R>, count: usize) -> Option<Columns<'_, R>> {
     Some([x.get(..count)?, y.get(..count)?, z.get(..count)?])
 }
 
 /// The first so many items of each written column; nothing if one has fewer.
 #[inline(always)]
-fn alike_mut<R>([x, y, z]: ColumnsMut<'_, R>, count: usize) -> Option<ColumnsMut<'_, R>> {
+fn cut_mut<R>([x, y, z]: ColumnsMut<'_, R>, count: usize) -> Option<ColumnsMut<'_, R>> {
     Some([x.get_mut(..count)?, y.get_mut(..count)?, z.get_mut(..count)?])
 }
 
-/// What batches read and write.
-struct Batches<'a, R> {
-    position: Columns<'a, R>,
-    velocity: Columns<'a, R>,
-    start: u32,
-    above: ColumnsMut<'a, R>,
-    slots: Range<u32>,
-    below: ColumnsMut<'a, R>,
-}
-
-impl<R: Real> Batches<'_, R> {
-    #[inline(always)]
-    fn add<const DAMPED: bool>(&mut self, springs: &Springs<'_, R>, batch: Range<u32>) -> u32 {
-        let [ends] = window([springs.ends], batch.clone());
-        let mut d = [[R::ZERO; BATCH]; 3];
-        let mut v = [[R::ZERO; BATCH]; 3];
-        let vectors = triples_mut(d.each_mut().map(<[R; BATCH]>::as_mut_slice))
-            .zip(triples_mut(v.each_mut().map(<[R; BATCH]>::as_mut_slice)));
-        for ((d, v), &[i, j]) in vectors.zip(ends) {
-            set(d, difference(fetch(self.position, j), fetch(self.position, i)));
-            if DAMPED {
-                set(v, difference(fetch(self.velocity, j), fetch(self.velocity, i)));
-            }
-        }
-        let laws = window([springs.stiffness, springs.damping, springs.rest_length], batch).map(batched);
-        let mut q = [R::ZERO; BATCH];
-        let mut directed = [true; BATCH];
-        let states =
-            triples(d.each_ref().map(<[R; BATCH]>::as_slice)).zip(triples(v.each_ref().map(<[R; BATCH]>::as_slice)));
-        let laws = triples(laws.each_ref().map(<[R; BATCH]>::as_slice));
-        let found = q.iter_mut().zip(&mut directed);
-        for (((q, directed), (d, v)), [stiffness, damping, rest_length]) in found.zip(states).zip(laws) {
-            (*q, *directed) = force_density::<R, DAMPED>(Law { stiffness, damping, rest_length }, d, v);
-        }
-        let mut degenerate = 0;
-        let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice));
-        for ((&[i, j], (q, directed)), d) in ends.iter().zip(q.iter().zip(&directed)).zip(vectors) {
-            let force = scaled(*q, d);
-            let above = i - self.start;
-            let pulled = sum(fetch(read(&self.above), above), force);
-            store(&mut self.above, above, pulled);
-            // Past the slots that are asked for, nothing is stored.
-            let below = j.wrapping_sub(self.slots.start);
-            let pulled = difference(fetch(read(&self.below), below), force);
-            store(&mut self.below, below, pulled);
-            degenerate += u32::from(!directed);
-        }
-        degenerate
-    }
-}
-
-/// a + b
 #[inline(always)]
-fn sum<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
-    along(a, R::ONE, b)
+fn add_batch<R: Real, const DAMPED: bool>(
+    springs: &Springs<'_, R>,
+    batch: Range<u32>,
+    forces: &mut Forces<'_, R>,
+) -> u32 {
+    let [ends] = window([springs.ends], batch.clone());
+    let mut d = [[R::ZERO; BATCH]; 3];
+    let mut v = [[R::ZERO; BATCH]; 3];
+    let vectors = triples_mut(d.each_mut().map(<[R; BATCH]>::as_mut_slice))
+        .zip(triples_mut(v.each_mut().map(<[R; BATCH]>::as_mut_slice)));
+    for ((d, v), &[i, j]) in vectors.zip(ends) {
+        set(d, difference(fetch(forces.position, j), fetch(forces.position, i)));
+        if DAMPED {
+            set(v, difference(fetch(forces.velocity, j), fetch(forces.velocity, i)));
+        }
+    }
+    let laws = window([springs.stiffness, springs.damping, springs.rest_length], batch).map(batched);
+    let mut q = [R::ZERO; BATCH];
+    let mut directed = [true; BATCH];
+    let states =
+        triples(d.each_ref().map(<[R; BATCH]>::as_slice)).zip(triples(v.each_ref().map(<[R; BATCH]>::as_slice)));
+    let laws = triples(laws.each_ref().map(<[R; BATCH]>::as_slice));
+    let found = q.iter_mut().zip(&mut directed);
+    for (((q, directed), (d, v)), [stiffness, damping, rest_length]) in found.zip(states).zip(laws) {
+        (*q, *directed) = force_density::<R, DAMPED>(Law { stiffness, damping, rest_length }, d, v);
+    }
+    let mut degenerate = 0;
+    let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice));
+    for ((&[i, j], (q, directed)), d) in ends.iter().zip(q.iter().zip(&directed)).zip(vectors) {
+        let above = i - forces.start;
+        let pulled = along(fetch(read(&forces.above), above), *q, d);
+        store(&mut forces.above, above, pulled);
+        // Past the slots that are asked for, nothing is stored.
+        let below = j.wrapping_sub(forces.slots.start);
+        let pulled = along(fetch(read(&forces.below), below), -*q, d);
+        store(&mut forces.below, below, pulled);
+        degenerate += u32::from(!directed);
+    }
+    degenerate
 }
 
 /// A column's stretch, filled up to a batch.

@@ -4,6 +4,7 @@ use super::tiles::{Accelerations, Outcome, Then};
 use crate::Real;
 use crate::lanes;
 use crate::vectors::split;
+use crate::workers::Workers;
 use crate::world::TILE;
 
 /// Does the work, in halves for as long as there are threads for them.
@@ -11,21 +12,22 @@ use crate::world::TILE;
 /// Each half writes to its own particles alone, and goes through the springs that pull at them in the same order as
 /// the whole would: the bits are the same. What both need of a spring across the cut is worked out twice.
 pub fn run<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
-    let Some(workers) = work.system.workers else { return alone(work) };
-    share(work, workers.count())
+    match work.system.workers {
+        Some(workers) => share(work, workers, workers.count()),
+        None => alone(work),
+    }
 }
 
 fn alone<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
     lanes::run(work.system.lanes, work)
 }
 
-fn share<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>, threads: u32) -> Outcome {
+fn share<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>, workers: &dyn Workers, threads: u32) -> Outcome {
     let length = work.slots.end - work.slots.start;
     // In proportion, and by whole tiles.
     let first_threads = threads / 2;
     let cut = (u64::from(length) * u64::from(first_threads) / u64::from(threads.max(1))) as u32;
     let slot = (work.slots.start + cut) / TILE * TILE;
-    let Some(workers) = work.system.workers else { return alone(work) };
     if threads < 2 || slot <= work.slots.start || slot >= work.slots.end {
         return alone(work);
     }
@@ -34,10 +36,10 @@ fn share<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>, threads: u32) -> Ou
     let (mut first, mut second) = (Outcome::default(), Outcome::default());
     workers.both(
         &mut || {
-            first = lower.take().map_or(first, |half| share(half, first_threads));
+            first = lower.take().map_or(first, |half| share(half, workers, first_threads));
         },
         &mut || {
-            second = upper.take().map_or(second, |half| share(half, threads - first_threads));
+            second = upper.take().map_or(second, |half| share(half, workers, threads - first_threads));
         },
     );
     Outcome { degenerate: first.degenerate + second.degenerate, finite: first.finite && second.finite }

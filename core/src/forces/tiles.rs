@@ -8,7 +8,7 @@ use crate::Real;
 use crate::contact::hold_up;
 use crate::lanes::Kernel;
 use crate::vectors::{Columns, ColumnsMut, lend, window, window_mut};
-use crate::world::{Coverage, System, TILE};
+use crate::world::{Coverage, System, TILE, tiles};
 
 /// What becomes of a tile's accelerations once they are known.
 pub trait Then<R>: Sized + Send {
@@ -98,10 +98,7 @@ impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
             }
             outcome.finite &= then.then(tile, a);
         }
-        let mut start = slots.start.max(attached);
-        while start < slots.end {
-            let tile = start..start.saturating_add(TILE).min(slots.end);
-            start = tile.end;
+        for tile in tiles(slots.start.max(attached)..slots.end) {
             let mut a = window_mut(lend(&mut out), within(&slots, &tile));
             fall(system, &tile, lend(&mut a));
             outcome.finite &= then.then(tile, a);

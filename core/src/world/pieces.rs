@@ -7,10 +7,17 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::vectors::at;
+use crate::vectors::{at, put};
 
 /// Particles that are stepped together, while all that a step needs of them is in the first cache.
 pub const TILE: u32 = 256;
+
+/// The slots of a range, so many as a tile has at a time.
+#[inline(always)]
+pub fn tiles(slots: Range<u32>) -> impl Iterator<Item = Range<u32>> {
+    let end = slots.end;
+    slots.step_by(TILE as usize).map(move |start| start..start.saturating_add(TILE).min(end))
+}
 
 /// Pieces begin and end at multiples of this where they can: as many lanes as there are.
 const LANES: u32 = 16;
@@ -187,12 +194,12 @@ impl Found<'_> {
             places.fill(0);
             let ends = ends.get(piece.spring as usize..(piece.spring + piece.springs) as usize).unwrap_or_default();
             for [i, _] in ends {
-                crate::vectors::put(places, i - piece.first, 1);
+                put(places, i - piece.first, 1);
             }
             self.places += piece.places;
         }
         let (pieces, _) = self.words.as_chunks_mut();
-        crate::vectors::put(pieces, self.pieces, piece.to_words());
+        put(pieces, self.pieces, piece.to_words());
         self.pieces += 1;
         self.springs += piece.springs;
     }
