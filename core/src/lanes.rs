@@ -62,6 +62,82 @@ pub fn run<K: Kernel>(most: Lanes, kernel: K) -> K::Output {
     kernel.run()
 }
 
+/// A loop that writes to six columns. They are arguments of a function that is compiled by itself, because only of those
+/// does the compiler know that nothing else overlaps them: else it tests that before each loop, with more instructions
+/// than a short loop has.
+pub trait SixColumns<R> {
+    /// What it returns.
+    type Output;
+    /// Its body: to be marked `#[inline(always)]`, as all that it calls.
+    fn run(self, a: &mut [R], b: &mut [R], c: &mut [R], d: &mut [R], e: &mut [R], f: &mut [R]) -> Self::Output;
+}
+
+/// Runs a loop on six columns on the widest lanes that there are, up to `most`.
+#[allow(clippy::too_many_arguments, reason = "an array of them would hide that they do not overlap")]
+#[inline(always)]
+pub fn run_on_six<R, K: SixColumns<R>>(
+    most: Lanes,
+    kernel: K,
+    a: &mut [R],
+    b: &mut [R],
+    c: &mut [R],
+    d: &mut [R],
+    e: &mut [R],
+    f: &mut [R],
+) -> K::Output {
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    match most.min(Lanes::widest()) {
+        // SAFETY: `widest` has found the instructions that the function is compiled for.
+        Lanes::Avx512 => return unsafe { avx512_on_six(kernel, a, b, c, d, e, f) },
+        // SAFETY: likewise.
+        Lanes::Avx2 => return unsafe { avx2_on_six(kernel, a, b, c, d, e, f) },
+        Lanes::Baseline => {}
+    }
+    let _ = most;
+    baseline_on_six(kernel, a, b, c, d, e, f)
+}
+
+#[inline(never)]
+fn baseline_on_six<R, K: SixColumns<R>>(
+    kernel: K,
+    a: &mut [R],
+    b: &mut [R],
+    c: &mut [R],
+    d: &mut [R],
+    e: &mut [R],
+    f: &mut [R],
+) -> K::Output {
+    kernel.run(a, b, c, d, e, f)
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[target_feature(enable = "avx2")]
+fn avx2_on_six<R, K: SixColumns<R>>(
+    kernel: K,
+    a: &mut [R],
+    b: &mut [R],
+    c: &mut [R],
+    d: &mut [R],
+    e: &mut [R],
+    f: &mut [R],
+) -> K::Output {
+    kernel.run(a, b, c, d, e, f)
+}
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+fn avx512_on_six<R, K: SixColumns<R>>(
+    kernel: K,
+    a: &mut [R],
+    b: &mut [R],
+    c: &mut [R],
+    d: &mut [R],
+    e: &mut [R],
+    f: &mut [R],
+) -> K::Output {
+    kernel.run(a, b, c, d, e, f)
+}
+
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[target_feature(enable = "avx2")]
 fn avx2<K: Kernel>(kernel: K) -> K::Output {

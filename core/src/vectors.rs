@@ -146,6 +146,24 @@ pub fn window_mut<const COLUMNS: usize, T>(columns: [&mut [T]; COLUMNS], range: 
     columns.map(|column| column.get_mut(range.start as usize..range.end as usize).unwrap_or_default())
 }
 
+/// The same stretch of several columns, or nothing if it does not lie in all of them: in what follows the compiler knows
+/// that they are of one length.
+#[inline(always)]
+pub fn cut<const COLUMNS: usize, T>(columns: [&[T]; COLUMNS], range: Range<u32>) -> Option<[&[T]; COLUMNS]> {
+    let mut cut = [&[][..]; COLUMNS];
+    for (cut, column) in cut.iter_mut().zip(columns) {
+        *cut = column.get(range.start as usize..range.end as usize)?;
+    }
+    Some(cut)
+}
+
+/// The same stretch of three written columns, or nothing if it does not lie in all of them.
+#[inline(always)]
+pub fn cut_mut<T>([x, y, z]: ColumnsMut<'_, T>, range: Range<u32>) -> Option<ColumnsMut<'_, T>> {
+    let range = range.start as usize..range.end as usize;
+    Some([x.get_mut(range.clone())?, y.get_mut(range.clone())?, z.get_mut(range)?])
+}
+
 /// Three written columns before and from an index.
 #[inline]
 pub fn split<R>([x, y, z]: ColumnsMut<'_, R>, index: u32) -> (ColumnsMut<'_, R>, ColumnsMut<'_, R>) {

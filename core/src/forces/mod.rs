@@ -1,6 +1,7 @@
 //! Forces. One pass over tiles of particles: each spring's force is worked out once, subtracted at its upper end and
 //! added at its lower one, in an order (`world/order.rs`) that no width of vectors and no tile changes.
 
+mod acceleration;
 mod diagonal;
 pub(crate) mod energy;
 mod law;
@@ -15,6 +16,7 @@ use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut};
 use crate::world::System;
 
+pub(crate) use acceleration::{Acceleration, Rest, Tile};
 pub(crate) use net::pull;
 pub(crate) use tiles::Then;
 

@@ -6,8 +6,8 @@ use core::ops::Range;
 use super::law::force_density;
 use super::tiles::Forces;
 use crate::Real;
-use crate::vectors::{Columns, ColumnsMut, along, difference, fetch, lend, read, store, triples, triples_mut, window};
-use crate::world::{Law, Springs, TILE};
+use crate::vectors::{along, difference, fetch, read, store, triples, triples_mut, window};
+use crate::world::{Law, Springs};
 
 /// Springs whose roots and divisions are taken together: what the widest lanes hold.
 const BATCH: usize = 16;
@@ -19,44 +19,14 @@ pub fn add<R: Real, const DAMPED: bool>(
     range: Range<u32>,
     forces: &mut Forces<'_, R>,
 ) -> u32 {
-    // With lengths that are known to be the same, an index is checked once for all columns.
-    let Some(mut forces) = alike(forces) else { return 0 };
     let mut degenerate = 0;
     let mut first = range.start;
     while first < range.end {
         let end = range.end.min(first + BATCH as u32);
-        degenerate += add_batch::<R, DAMPED>(springs, first..end, &mut forces);
+        degenerate += add_batch::<R, DAMPED>(springs, first..end, forces);
         first = end;
     }
     degenerate
-}
-
-/// The same with columns of the same length; nothing if one is too short.
-#[inline(always)]
-fn alike<'a, R>(forces: &'a mut Forces<'_, R>) -> Option<Forces<'a, R>> {
-    let count = |columns: Columns<'_, R>| columns.first().map_or(0, |column| column.len());
-    let (all, below) = (count(forces.position), count(read(&forces.below)));
-    Some(Forces {
-        position: cut(forces.position, all)?,
-        velocity: cut(forces.velocity, all)?,
-        start: forces.start,
-        above: cut_mut(lend(&mut forces.above), TILE as usize)?,
-        slots: forces.slots.clone(),
-        below: cut_mut(lend(&mut forces.below), below)?,
-        nowhere: lend(&mut forces.nowhere),
-    })
-}
-
-/// The first so many items of each column; nothing if one has fewer.
-#[inline(always)]
-fn cut<R>([x, y, z]: Columns<'_, R>, count: usize) -> Option<Columns<'_, R>> {
-    Some([x.get(..count)?, y.get(..count)?, z.get(..count)?])
-}
-
-/// The first so many items of each written column; nothing if one has fewer.
-#[inline(always)]
-fn cut_mut<R>([x, y, z]: ColumnsMut<'_, R>, count: usize) -> Option<ColumnsMut<'_, R>> {
-    Some([x.get_mut(..count)?, y.get_mut(..count)?, z.get_mut(..count)?])
 }
 
 #[inline(always)]

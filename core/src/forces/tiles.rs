@@ -2,18 +2,19 @@
 
 use core::ops::Range;
 
+use super::acceleration::{Acceleration, Falling, Pulled, Tile};
 use super::sweep::Sweep;
 use super::{diagonal, scattered};
 use crate::Real;
 use crate::contact::hold_up;
-use crate::lanes::Kernel;
-use crate::vectors::{Columns, ColumnsMut, lend, window, window_mut};
+use crate::lanes::{Kernel, Lanes};
+use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
 /// What becomes of a tile's accelerations once they are known.
 pub trait Then<R>: Sized + Send {
-    /// Of the particles in these slots. Returns whether everything made of them is finite.
-    fn then(&mut self, slots: Range<u32>, accelerations: ColumnsMut<'_, R>) -> bool;
+    /// Of the particles of a tile. Returns whether everything made of them is finite.
+    fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool;
 
     /// For the slots before this one, and for those from it on.
     fn split(self, slot: u32) -> (Self, Self);
@@ -22,9 +23,10 @@ pub trait Then<R>: Sized + Send {
 /// Nothing more: they are what was asked for.
 pub struct Keep;
 
-impl<R> Then<R> for Keep {
+impl<R: Real> Then<R> for Keep {
     #[inline(always)]
-    fn then(&mut self, _slots: Range<u32>, _accelerations: ColumnsMut<'_, R>) -> bool {
+    fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool {
+        tile.write();
         true
     }
 
@@ -59,7 +61,18 @@ impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
 
     #[inline(always)]
     fn run(self) -> Outcome {
-        let Self { system, position, velocity, slots, mut out, mut then } = self;
+        self.go_through().unwrap_or_default()
+    }
+}
+
+impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
+    /// Nothing if a column is too short.
+    #[inline(always)]
+    fn go_through(self) -> Option<Outcome> {
+        let Self { system, position, velocity, slots, out, mut then } = self;
+        // With lengths that are known to be the same, a range is checked once for all columns.
+        let (position, velocity) = (cut(position, 0..system.plan.particles)?, cut(velocity, 0..system.plan.particles)?);
+        let mut out = cut_mut(out, 0..slots.end - slots.start)?;
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
@@ -78,6 +91,7 @@ impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
             let mut forces = Forces {
                 position,
                 velocity,
+                lanes: system.lanes,
                 start: tile.start,
                 above: from_above.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
                 slots: pulled.clone(),
@@ -90,20 +104,23 @@ impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
                 continue;
             }
             outcome.degenerate += degenerate;
-            let mut a = window_mut(lend(&mut out), within(&pulled, &tile));
-            let above = from_above.each_ref().map(<[R; TILE as usize]>::as_slice);
-            divide_by_mass(system, &tile, above, lend(&mut a));
-            if system.support {
-                hold_up(system, tile.clone(), position, velocity, lend(&mut a));
-            }
-            outcome.finite &= then.then(tile, a);
+            let below = cut_mut(lend(&mut out), within(&pulled, &tile))?;
+            let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
+            let sums = Tile::of(system, tile.clone(), below, above, Pulled)?;
+            outcome.finite &= if system.support {
+                let mut held = sums.write();
+                hold_up(system, tile, position, velocity, lend(&mut held.below));
+                then.then(held)
+            } else {
+                then.then(sums)
+            };
         }
         for tile in tiles(slots.start.max(attached)..slots.end) {
-            let mut a = window_mut(lend(&mut out), within(&slots, &tile));
-            fall(system, &tile, lend(&mut a));
-            outcome.finite &= then.then(tile, a);
+            let none = cut_mut(lend(&mut out), within(&slots, &tile))?;
+            let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
+            outcome.finite &= then.then(Tile::of(system, tile, none, above, Falling)?);
         }
-        outcome
+        Some(outcome)
     }
 }
 
@@ -138,6 +155,7 @@ fn add_tile<R: Real>(system: &System<'_, R>, sweep: &mut Sweep<'_>, end: u32, fo
 pub struct Forces<'a, R> {
     pub position: Columns<'a, R>,
     pub velocity: Columns<'a, R>,
+    pub lanes: Lanes,
     /// The tile's first slot.
     pub start: u32,
     /// From springs to higher slots, of the tile's particles.
@@ -148,28 +166,4 @@ pub struct Forces<'a, R> {
     pub below: ColumnsMut<'a, R>,
     /// For what springs to lower slots do to others: as long as a tile.
     pub nowhere: ColumnsMut<'a, R>,
-}
-
-/// a = g + f/m, or 0 where held: what is there is the force from below.
-#[inline(always)]
-fn divide_by_mass<R: Real>(system: &System<'_, R>, slots: &Range<u32>, above: Columns<'_, R>, tile: ColumnsMut<'_, R>) {
-    let [inverse_mass] = window([system.inverse_mass], slots.clone());
-    for ((column, above), g) in tile.into_iter().zip(above).zip(system.gravity) {
-        for ((a, above), w) in column.iter_mut().zip(above).zip(inverse_mass) {
-            let acceleration = g + *w * (*a + *above);
-            // Held, whatever pulls: 0 times an infinite force would not be 0.
-            *a = if *w == R::ZERO { R::ZERO } else { acceleration };
-        }
-    }
-}
-
-/// a = g, or 0 where held.
-#[inline(always)]
-fn fall<R: Real>(system: &System<'_, R>, slots: &Range<u32>, tile: ColumnsMut<'_, R>) {
-    let [inverse_mass] = window([system.inverse_mass], slots.clone());
-    for (column, g) in tile.into_iter().zip(system.gravity) {
-        for (a, w) in column.iter_mut().zip(inverse_mass) {
-            *a = if *w == R::ZERO { R::ZERO } else { g };
-        }
-    }
 }

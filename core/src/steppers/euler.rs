@@ -1,11 +1,10 @@
 //! What the explicit and the semi-implicit Euler method share: they differ in one argument.
 
-use core::ops::Range;
-
 use crate::Real;
-use crate::forces::Then;
+use crate::forces::{Acceleration, Rest, Then, Tile};
+use crate::lanes::{self, SixColumns};
 use crate::types::StepReport;
-use crate::vectors::{Columns, ColumnsMut, lend, read, split, window, window_mut};
+use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, split, triples, triples_mut};
 use crate::world::View;
 
 /// v' = v + dt·a(x, v); x' = x + dt·v' or, with the `EXPLICIT` one, x' = x + dt·v.
@@ -30,14 +29,18 @@ struct Update<'a, R, const EXPLICIT: bool> {
 
 impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
     #[inline(always)]
-    fn then(&mut self, slots: Range<u32>, accelerations: ColumnsMut<'_, R>) -> bool {
-        let (x, v) = (window(self.x, slots.clone()), window(self.v, slots.clone()));
-        let next = window_mut(lend(&mut self.next_position), slots.start - self.first..slots.end - self.first);
-        let mut finite = true;
-        for ((a, next), (x, v)) in accelerations.into_iter().zip(next).zip(x.into_iter().zip(v)) {
-            finite &= update::<R, EXPLICIT>(self.dt, x, v, a, next);
-        }
-        finite
+    fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool {
+        let next = tile.slots.start - self.first..tile.slots.end - self.first;
+        let (Some(x), Some(v), Some([x_next, y_next, z_next])) = (
+            cut(self.x, tile.slots.clone()),
+            cut(self.v, tile.slots.clone()),
+            cut_mut(lend(&mut self.next_position), next),
+        ) else {
+            return false;
+        };
+        let [x_below, y_below, z_below] = tile.below;
+        let particles = Particles::<R, A, EXPLICIT> { dt: self.dt, x, v, rest: tile.rest };
+        lanes::run_on_six(tile.rest.lanes, particles, x_below, y_below, z_below, x_next, y_next, z_next)
     }
 
     fn split(self, slot: u32) -> (Self, Self) {
@@ -46,17 +49,45 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
     }
 }
 
-/// Returns whether the next state of these is finite.
-#[inline(always)]
-fn update<R: Real, const EXPLICIT: bool>(dt: R, x: &[R], v: &[R], a: &mut [R], next: &mut [R]) -> bool {
-    let mut infinite = 0;
-    for ((a, next), (x, v)) in a.iter_mut().zip(next).zip(x.iter().zip(v)) {
-        let velocity = *v + dt * *a;
-        let position = *x + dt * if EXPLICIT { *v } else { velocity };
-        *a = velocity;
-        *next = position;
-        // The semi-implicit method's position is no more finite than its velocity.
-        infinite |= u32::from(!position.is_finite()) | u32::from(EXPLICIT && !velocity.is_finite());
+/// What a tile's particles are to be updated from, but for the forces from below.
+struct Particles<'a, R, A, const EXPLICIT: bool> {
+    dt: R,
+    x: Columns<'a, R>,
+    v: Columns<'a, R>,
+    rest: Rest<'a, R, A>,
+}
+
+impl<R: Real, A: Acceleration<R>, const EXPLICIT: bool> SixColumns<R> for Particles<'_, R, A, EXPLICIT> {
+    type Output = bool;
+
+    /// Writes the next velocities in place of the forces from below, and the next positions. Returns whether they are
+    /// finite.
+    #[inline(always)]
+    fn run(
+        self,
+        x_below: &mut [R],
+        y_below: &mut [R],
+        z_below: &mut [R],
+        x_next: &mut [R],
+        y_next: &mut [R],
+        z_next: &mut [R],
+    ) -> bool {
+        let Self { dt, x, v, rest } = self;
+        let written = triples_mut([x_below, y_below, z_below]).zip(triples_mut([x_next, y_next, z_next]));
+        let mut infinite = 0;
+        for (((below, next), acceleration), (x, v)) in written.zip(rest.accelerations()).zip(triples(x).zip(triples(v)))
+        {
+            let a = acceleration(below.each_ref().map(|component| **component));
+            let components = a.into_iter().zip(x.into_iter().zip(v));
+            for ((below, next), (a, (x, v))) in below.into_iter().zip(next).zip(components) {
+                let velocity = v + dt * a;
+                let position = x + dt * if EXPLICIT { v } else { velocity };
+                *below = velocity;
+                *next = position;
+                // The semi-implicit method's position is no more finite than its velocity.
+                infinite |= u32::from(!position.is_finite()) | u32::from(EXPLICIT && !velocity.is_finite());
+            }
+        }
+        infinite == 0
     }
-    infinite == 0
 }

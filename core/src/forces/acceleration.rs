@@ -1,0 +1,122 @@
+//! From the sums of forces on the particles of a tile to their accelerations, and on to what is made of them, in one
+//! loop.
+
+use core::ops::Range;
+
+use crate::Real;
+use crate::lanes::Lanes;
+use crate::vectors::{Columns, ColumnsMut, cut, lend, triples, triples_mut};
+use crate::world::System;
+
+/// Where a particle's acceleration comes from.
+pub trait Acceleration<R>: Copy {
+    /// Along one axis, in a field g, given 1/m, the force (N) from springs to lower slots and that from springs to
+    /// higher ones.
+    fn along(self, g: R, inverse_mass: R, below: R, above: R) -> R;
+}
+
+/// a = g + f/m, or 0 where held.
+#[derive(Clone, Copy)]
+pub struct Pulled;
+
+impl<R: Real> Acceleration<R> for Pulled {
+    #[inline(always)]
+    fn along(self, g: R, inverse_mass: R, below: R, above: R) -> R {
+        let acceleration = g + inverse_mass * (below + above);
+        // Held, whatever pulls: 0 times an infinite force would not be 0.
+        if inverse_mass == R::ZERO { R::ZERO } else { acceleration }
+    }
+}
+
+/// a = g, or 0 where held: no spring pulls.
+#[derive(Clone, Copy)]
+pub struct Falling;
+
+impl<R: Real> Acceleration<R> for Falling {
+    #[inline(always)]
+    fn along(self, g: R, inverse_mass: R, _below: R, _above: R) -> R {
+        if inverse_mass == R::ZERO { R::ZERO } else { g }
+    }
+}
+
+/// It is known, and stands in place of the force from below.
+#[derive(Clone, Copy)]
+pub struct Known;
+
+impl<R: Real> Acceleration<R> for Known {
+    #[inline(always)]
+    fn along(self, _g: R, _inverse_mass: R, below: R, _above: R) -> R {
+        below
+    }
+}
+
+/// The particles of a tile, and what their accelerations are to be made of.
+pub struct Tile<'a, R, A> {
+    pub slots: Range<u32>,
+    /// N, from springs to lower slots; m/s², where accelerations are known.
+    pub below: ColumnsMut<'a, R>,
+    pub rest: Rest<'a, R, A>,
+}
+
+/// What else they are made of.
+#[derive(Clone, Copy)]
+pub struct Rest<'a, R, A> {
+    /// N, from springs to higher slots.
+    above: Columns<'a, R>,
+    /// 1/kg
+    inverse_mass: &'a [R],
+    /// m/s²
+    gravity: [R; 3],
+    pub lanes: Lanes,
+    acceleration: A,
+}
+
+impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
+    /// Nothing if the masses of so many particles are not known.
+    #[inline(always)]
+    pub fn of(
+        system: &System<'a, R>,
+        slots: Range<u32>,
+        below: ColumnsMut<'a, R>,
+        above: Columns<'a, R>,
+        acceleration: A,
+    ) -> Option<Self> {
+        let [inverse_mass] = cut([system.inverse_mass], slots.clone())?;
+        let rest = Rest { above, inverse_mass, gravity: system.gravity, lanes: system.lanes, acceleration };
+        Some(Self { slots, below, rest })
+    }
+
+    /// Writes the accelerations in place of the forces from below.
+    #[inline(always)]
+    pub fn write(mut self) -> Tile<'a, R, Known> {
+        for (below, acceleration) in triples_mut(lend(&mut self.below)).zip(self.rest.accelerations()) {
+            let a = acceleration(below.each_ref().map(|component| **component));
+            for (below, a) in below.into_iter().zip(a) {
+                *below = a;
+            }
+        }
+        let Rest { above, inverse_mass, gravity, lanes, .. } = self.rest;
+        let rest = Rest { above, inverse_mass, gravity, lanes, acceleration: Known };
+        Tile { slots: self.slots, below: self.below, rest }
+    }
+}
+
+impl<'a, R: Real, A: Acceleration<R>> Rest<'a, R, A> {
+    /// For each particle, what makes its acceleration of the force from below.
+    #[inline(always)]
+    pub fn accelerations(self) -> impl Iterator<Item = impl Fn([R; 3]) -> [R; 3]> + 'a
+    where
+        A: 'a,
+    {
+        let Self { above, inverse_mass, gravity: [g_x, g_y, g_z], acceleration, .. } = self;
+        triples(above).zip(inverse_mass).map(move |([above_x, above_y, above_z], w)| {
+            move |[below_x, below_y, below_z]: [R; 3]| {
+                [
+                    acceleration.along(g_x, *w, below_x, above_x),
+                    acceleration.along(g_y, *w, below_y, above_y),
+                    acceleration.along(g_z, *w, below_z, above_z),
+                ]
+            }
+        })
+    }
+}
