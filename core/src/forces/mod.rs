@@ -10,6 +10,7 @@ mod scattered;
 mod shared;
 mod sweep;
 mod tiles;
+mod window;
 
 use crate::Real;
 use crate::types::StepReport;
@@ -47,7 +48,7 @@ impl<R: Real> System<'_, R> {
             report.force_evaluations += 1;
         }
         let slots = 0..self.plan.particles;
-        let whole = Accelerations { system: self, position, velocity, slots, out, then };
+        let whole = Accelerations { system: self, position, velocity, slots, out, then, window: None };
         let outcome = shared::run(whole);
         report.degenerate_springs = outcome.degenerate;
         outcome.finite

@@ -1,6 +1,7 @@
 //! Work that is shared among threads, if whoever owns the world has some to offer.
 
 use super::tiles::{Accelerations, Outcome, Then};
+use super::window::{self, Window};
 use crate::Real;
 use crate::lanes;
 use crate::vectors::split;
@@ -19,7 +20,19 @@ pub fn run<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
 }
 
 fn alone<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
-    lanes::run(work.system.lanes, work)
+    let plan = &work.system.plan;
+    if window::pays(plan.springs - plan.on_diagonals) {
+        through_window(work)
+    } else {
+        lanes::run(work.system.lanes, work)
+    }
+}
+
+/// Apart, so that others need not have the room.
+#[inline(never)]
+fn through_window<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
+    let mut window = Window::new();
+    lanes::run(work.system.lanes, Accelerations { window: Some(&mut window), ..work })
 }
 
 fn share<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>, workers: &dyn Workers, threads: u32) -> Outcome {
@@ -49,12 +62,12 @@ fn halves<R: Real, T: Then<R>>(
     work: Accelerations<'_, R, T>,
     slot: u32,
 ) -> (Accelerations<'_, R, T>, Accelerations<'_, R, T>) {
-    let Accelerations { system, position, velocity, slots, out, then } = work;
+    let Accelerations { system, position, velocity, slots, out, then, .. } = work;
     let (lower_out, upper_out) = split(out, slot - slots.start);
     let (lower_then, upper_then) = then.split(slot);
     let (lower, upper) = (slots.start..slot, slot..slots.end);
     (
-        Accelerations { system, position, velocity, slots: lower, out: lower_out, then: lower_then },
-        Accelerations { system, position, velocity, slots: upper, out: upper_out, then: upper_then },
+        Accelerations { system, position, velocity, slots: lower, out: lower_out, then: lower_then, window: None },
+        Accelerations { system, position, velocity, slots: upper, out: upper_out, then: upper_then, window: None },
     )
 }

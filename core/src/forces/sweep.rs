@@ -37,12 +37,49 @@ impl<'a> Sweep<'a> {
     /// What the springs of the next tile reach and has not been cleared yet, of these slots.
     #[inline(always)]
     pub fn clearing(&mut self, tile: &Range<u32>, slots: &Range<u32>) -> Range<u32> {
+        let from = self.cleared;
+        self.cleared = self.reach(tile).min(slots.end).max(from);
+        from..self.cleared
+    }
+
+    /// The slots before this one hold all that the springs of the next tile reach.
+    #[inline(always)]
+    pub fn reach(&self, tile: &Range<u32>) -> u32 {
         // A tile's first spring reaches furthest.
         let [i, j] = at(self.ends, self.spring);
-        let reach = if i < tile.end { tile.end.saturating_add(j - i) } else { tile.end };
-        let from = self.cleared;
-        self.cleared = reach.min(slots.end).max(from);
-        from..self.cleared
+        if i < tile.end { tile.end.saturating_add(j - i) } else { tile.end }
+    }
+
+    /// Whether most of the springs that begin before the slot `end` are in no piece.
+    #[inline(always)]
+    pub fn is_mostly_scattered(&self, end: u32) -> bool {
+        let pieces = self.pieces.iter().map(|words| Piece::from_words(*words)).take_while(|piece| piece.first < end);
+        let in_pieces: u32 = pieces.map(|piece| piece.springs).sum();
+        let next = at(self.ends, self.spring.saturating_add(2 * in_pieces));
+        in_pieces == 0 || next != [0; 2] && next[0] < end
+    }
+
+    /// All the springs that begin before the slot `end`, in pieces or not.
+    #[inline(always)]
+    pub fn all(&mut self, end: u32) -> Range<u32> {
+        while let Some((words, rest)) = self.pieces.split_first() {
+            if Piece::from_words(*words).first >= end {
+                break;
+            }
+            self.pieces = rest;
+        }
+        let first = self.spring;
+        self.spring = self.end(end);
+        self.slot = end;
+        first..self.spring
+    }
+
+    /// The first spring that begins at the slot `end` or after it.
+    #[inline(always)]
+    fn end(&self, end: u32) -> u32 {
+        let rest = self.ends.get(self.spring as usize..).unwrap_or_default();
+        let begins = rest.first().is_some_and(|[i, _]| *i < end);
+        self.spring + if begins { rest.partition_point(|[i, _]| *i < end) as u32 } else { 0 }
     }
 
     /// The springs before the next piece that begins before the slot `end`, and that piece; if there is none, all the
@@ -58,10 +95,7 @@ impl<'a> Sweep<'a> {
                 return (spring..piece.spring, Some(piece));
             }
         }
-        let rest = self.ends.get(spring as usize..).unwrap_or_default();
-        if rest.first().is_some_and(|[i, _]| *i < end) {
-            self.spring += rest.partition_point(|[i, _]| *i < end) as u32;
-        }
+        self.spring = self.end(end);
         (spring..self.spring, None)
     }
 }

@@ -4,11 +4,12 @@ use core::ops::Range;
 
 use super::acceleration::{Acceleration, Falling, Pulled, Tile};
 use super::sweep::Sweep;
+use super::window::Window;
 use super::{diagonal, scattered};
 use crate::Real;
 use crate::contact::hold_up;
 use crate::lanes::{Kernel, Lanes};
-use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, window_mut};
+use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
 /// What becomes of a tile's accelerations once they are known.
@@ -45,6 +46,8 @@ pub struct Accelerations<'a, R, T> {
     /// Of these slots.
     pub out: ColumnsMut<'a, R>,
     pub then: T,
+    /// Where it pays to have one.
+    pub window: Option<&'a mut Window<R>>,
 }
 
 /// What came of it.
@@ -69,7 +72,9 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
     /// Nothing if a column is too short.
     #[inline(always)]
     fn go_through(self) -> Option<Outcome> {
-        let Self { system, position, velocity, slots, out, mut then } = self;
+        let Self { system, position, velocity, slots, out, mut then, window } = self;
+        // What nobody can have costs a program nothing.
+        let mut window = if cfg!(feature = "std") { window } else { None };
         // With lengths that are known to be the same, a range is checked once for all columns.
         let (position, velocity) = (cut(position, 0..system.plan.particles)?, cut(velocity, 0..system.plan.particles)?);
         let mut out = cut_mut(out, 0..slots.end - slots.start)?;
@@ -85,9 +90,6 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
             for column in window_mut(lend(&mut out), within(&pulled, &sweep.clearing(&tile, &pulled))) {
                 column.fill(R::ZERO);
             }
-            for column in from_above.iter_mut() {
-                column.fill(R::ZERO);
-            }
             let mut forces = Forces {
                 position,
                 velocity,
@@ -98,7 +100,10 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
                 below: lend(&mut out),
                 nowhere: nowhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
             };
-            let degenerate = add_tile(system, &mut sweep, tile.end, &mut forces);
+            let degenerate = match window.as_deref_mut() {
+                Some(window) if is_ours => add_windowed(system, &mut sweep, &tile, window, &mut forces)?,
+                _ => add_tile(system, &mut sweep, tile.end, &mut forces),
+            };
             if !is_ours {
                 // It lies before these slots: its springs were gone through for what they pull at in them.
                 continue;
@@ -130,10 +135,41 @@ fn within(slots: &Range<u32>, part: &Range<u32>) -> Range<u32> {
     part.start - slots.start..part.end - slots.start
 }
 
+/// Adds the forces of the springs that begin in a tile, through the window if most of them lie on no diagonal and none
+/// reaches too far. Returns how many of them have length 0.
+#[inline(always)]
+fn add_windowed<R: Real>(
+    system: &System<'_, R>,
+    sweep: &mut Sweep<'_>,
+    tile: &Range<u32>,
+    window: &mut Window<R>,
+    forces: &mut Forces<'_, R>,
+) -> Option<u32> {
+    let first = forces.slots.start;
+    let slots = tile.start..sweep.reach(tile).min(system.plan.attached);
+    if slots.end > forces.slots.end || !Window::<R>::holds(&slots) || !sweep.is_mostly_scattered(tile.end) {
+        window.let_go_of_all(lend(&mut forces.below), first)?;
+        return Some(add_tile(system, sweep, tile.end, forces));
+    }
+    window.keep(&slots, forces.position, forces.velocity, read(&forces.below), first)?;
+    let springs = sweep.all(tile.end);
+    let degenerate = if system.plan.damped == Coverage::None {
+        window.add::<false>(&system.springs, springs)?
+    } else {
+        window.add::<true>(&system.springs, springs)?
+    };
+    window.write_above(lend(&mut forces.above));
+    window.let_go(tile.end, lend(&mut forces.below), first)?;
+    Some(degenerate)
+}
+
 /// Adds the forces of the springs that begin in the tile up to `end`. Returns how many of them have length 0.
 #[inline(always)]
 fn add_tile<R: Real>(system: &System<'_, R>, sweep: &mut Sweep<'_>, end: u32, forces: &mut Forces<'_, R>) -> u32 {
     let springs = &system.springs;
+    for column in lend(&mut forces.above) {
+        column.fill(R::ZERO);
+    }
     let mut degenerate = 0;
     loop {
         let (scattered, piece) = sweep.next(end);
