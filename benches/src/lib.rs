@@ -4,6 +4,7 @@
 pub mod interleaved;
 pub mod mesh;
 pub mod scenes;
+pub mod skips;
 pub mod stamp;
 pub mod textbook;
 pub mod vector;

@@ -23,10 +23,9 @@ pub struct Reach<R> {
 }
 
 impl<R: Real> Reach<R> {
-    /// Of particles at rest where they are.
+    /// Of particles that stay where they are.
     pub fn at(lanes: Lanes, position: Columns<'_, R>, slots: Range<u32>) -> Self {
-        let position = window(position, slots);
-        lanes::run(lanes, Grow { from: position, velocity: position, to: position, dt: R::ZERO })
+        lanes::run(lanes, Enclose(window(position, slots)))
     }
 
     /// Of particles on parabolas from one state to the other, `dt` seconds later.
@@ -49,6 +48,40 @@ impl<R: Real> Reach<R> {
         // Not below and not NaN.
         let clear = lowest > R::from_f64(8.0) * rounding(size);
         !clear
+    }
+}
+
+/// The box around points.
+struct Enclose<'a, R>(Columns<'a, R>);
+
+impl<R: Real> Kernel for Enclose<'_, R> {
+    type Output = Reach<R>;
+
+    #[inline(always)]
+    fn run(self) -> Reach<R> {
+        let mut reach = Reach { low: [R::INFINITY; 3], high: [-R::INFINITY; 3], bend: [R::ZERO; 3] };
+        for (column, (low, high)) in self.0.into_iter().zip(reach.low.iter_mut().zip(&mut reach.high)) {
+            let mut lows = [R::INFINITY; LANES];
+            let mut highs = [-R::INFINITY; LANES];
+            let (chunks, rest) = column.as_chunks::<LANES>();
+            for chunk in chunks {
+                enclose(&mut lows, &mut highs, chunk);
+            }
+            enclose(&mut lows, &mut highs, rest);
+            for (l, h) in lows.into_iter().zip(highs) {
+                *low = low.at_most(l);
+                *high = high.at_least(h);
+            }
+        }
+        reach
+    }
+}
+
+#[inline(always)]
+fn enclose<R: Real>(lows: &mut [R], highs: &mut [R], points: &[R]) {
+    for ((low, high), point) in lows.iter_mut().zip(highs).zip(points) {
+        *low = low.at_most(*point);
+        *high = high.at_least(*point);
     }
 }
 

@@ -3,11 +3,15 @@
 use core::ops::Range;
 
 use crate::Real;
+use crate::lanes::{self, Kernel};
 use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Plane, StepError, StepReport};
-use crate::vectors::{along, at, dot, fetch, read, store};
-use crate::world::{State, System, View, tiles};
+use crate::vectors::{Columns, along, at, dot, fetch, read, store, triples, window};
+use crate::world::{State, System, TILE, View, stretches};
+
+/// Particles that are looked at together for whether a plane is in reach: enough that it costs next to nothing.
+const STRETCH: u32 = 4 * TILE;
 
 /// Once, after the positions are updated, planes in file order: a particle with n·x < offset and n·v < 0 gets −e times
 /// its normal velocity. It stays where it is.
@@ -53,17 +57,36 @@ pub fn answer<R: Real>(
     if system.planes.is_empty() {
         return answer;
     }
-    for slots in tiles(0..system.plan.particles) {
+    for slots in stretches(0..system.plan.particles, STRETCH) {
         let reach = Reach::at(system.lanes, read(&state.position), slots.clone());
         let before = answer.hits;
         for plane in system.planes {
             // What has been hit may have been displaced, and the box is then no longer its own.
-            if answer.hits > before || reach.may_meet(plane) {
+            let may_meet = answer.hits > before || reach.may_meet(plane);
+            if may_meet
+                && lanes::run(system.lanes, AnyBeyond { plane, position: window(read(&state.position), slots.clone()) })
+            {
                 answer_tile(system, state, plane, slots.clone(), &mut answer, &displace);
             }
         }
     }
     answer
+}
+
+/// Whether any particle is beyond a plane: few are, and those that are not need not be looked at one by one.
+struct AnyBeyond<'a, R: Real> {
+    plane: &'a Plane<R>,
+    position: Columns<'a, R>,
+}
+
+impl<R: Real> Kernel for AnyBeyond<'_, R> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        let beyond = triples(self.position).map(|position| u32::from(self.plane.gap(position) < R::ZERO));
+        beyond.fold(0, |any, beyond| any | beyond) != 0
+    }
 }
 
 fn answer_tile<R: Real>(

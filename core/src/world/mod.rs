@@ -19,6 +19,6 @@ pub use storage::{Column, Fixed, Storage};
 pub use view::View;
 
 pub(crate) use clock::Clock;
-pub(crate) use pieces::{Piece, TILE, Words, tiles};
+pub(crate) use pieces::{Piece, TILE, Words, stretches, tiles};
 pub(crate) use rest::Mark;
 pub(crate) use view::{Law, Springs, State, System};

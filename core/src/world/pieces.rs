@@ -15,8 +15,14 @@ pub const TILE: u32 = 256;
 /// The slots of a range, so many as a tile has at a time.
 #[inline(always)]
 pub fn tiles(slots: Range<u32>) -> impl Iterator<Item = Range<u32>> {
+    stretches(slots, TILE)
+}
+
+/// The slots of a range, so many at a time.
+#[inline(always)]
+pub fn stretches(slots: Range<u32>, length: u32) -> impl Iterator<Item = Range<u32>> {
     let end = slots.end;
-    slots.step_by(TILE as usize).map(move |start| start..start.saturating_add(TILE).min(end))
+    slots.step_by(length as usize).map(move |start| start..start.saturating_add(length).min(end))
 }
 
 /// Pieces begin and end at multiples of this where they can: as many lanes as there are.

@@ -1,0 +1,158 @@
+//! What a scene may not need, each as a pair: steps with it and steps without.
+
+use hooke::{Project, Sleep};
+use hooke_runner::model::{Hold, Model, ModelPlane};
+use hooke_runner::scene::StepperName;
+use hooke_runner::simulate::{AnyStepper, world};
+
+use crate::scenes::{GRAVITY, balls, cloth};
+
+/// Takes so many steps.
+pub type Steps = Box<dyn FnMut(u32)>;
+
+/// What a pair shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shows {
+    /// What leaving something out gains.
+    Gain,
+    /// What it costs to look whether something can be left out, where it cannot.
+    Cost,
+}
+
+/// Steps with something, and steps without.
+#[derive(Clone, Copy)]
+pub struct Pair {
+    /// What it is.
+    pub name: &'static str,
+    /// Which of the two is to be expected.
+    pub shows: Shows,
+    /// Steps with it.
+    pub with: fn() -> Steps,
+    /// The same steps without.
+    pub without: fn() -> Steps,
+}
+
+/// s; stable on all of these scenes.
+const TIME_STEP: f64 = 1e-4;
+/// Above the floor: where the cloth hangs. A plane a little lower has to be tested particle by particle.
+const HEIGHT: f64 = 1.0;
+
+/// All of them.
+pub const PAIRS: [Pair; 12] = [
+    gain("gravity", || plain(&cloth(64, 0.05)), || steps(&cloth(64, 0.05), [0.0; 3], euler())),
+    gain("springs", || plain(&cloth(64, 0.05)), || plain(&changed(|model| model.springs.clear()))),
+    gain("damping", || plain(&cloth(64, 0.05)), || plain(&cloth(64, 0.0))),
+    gain("damping of most springs", || plain(&cloth(64, 0.05)), || plain(&changed(damp_a_sixth))),
+    gain("springs that vary", || plain(&changed(vary)), || plain(&cloth(64, 0.05))),
+    gain("planes", || plain(&changed(|model| planes(model, HEIGHT - 1e-6))), || plain(&cloth(64, 0.05))),
+    gain(
+        "planes in reach",
+        || plain(&changed(|model| planes(model, HEIGHT - 1e-6))),
+        || plain(&changed(|model| planes(model, -100.0))),
+    ),
+    gain("particles that move", || plain(&cloth(64, 0.05)), || plain(&changed(pin_half))),
+    gain("steps of free particles", || frames(euler(), 16), || frames(StepperName::Auto, 1)),
+    gain("islands awake", || ropes_at_rest(None), || ropes_at_rest(Some(Sleep::below(0.05).after(0.04)))),
+    cost("whether planes are in reach", || plain(&changed(|model| planes(model, -100.0))), || plain(&cloth(64, 0.05))),
+    cost("whether islands rest", || cloth_that_may_sleep(true), || cloth_that_may_sleep(false)),
+];
+
+const fn gain(name: &'static str, with: fn() -> Steps, without: fn() -> Steps) -> Pair {
+    Pair { name, shows: Shows::Gain, with, without }
+}
+
+const fn cost(name: &'static str, with: fn() -> Steps, without: fn() -> Steps) -> Pair {
+    Pair { name, shows: Shows::Cost, with, without }
+}
+
+fn euler() -> StepperName {
+    StepperName::SemiImplicitEuler
+}
+
+fn plain(model: &Model) -> Steps {
+    steps(model, GRAVITY, euler())
+}
+
+fn changed(change: impl Fn(&mut Model)) -> Model {
+    let mut model = cloth(64, 0.05);
+    change(&mut model);
+    model
+}
+
+fn damp_a_sixth(model: &mut Model) {
+    model.springs.iter_mut().skip(4000).for_each(|spring| spring.damping = 0.0);
+}
+
+fn vary(model: &mut Model) {
+    for (number, spring) in model.springs.iter_mut().enumerate() {
+        spring.stiffness *= 1.0 + 1e-3 * (number % 7) as f64;
+    }
+}
+
+/// Four of them.
+fn planes(model: &mut Model, height: f64) {
+    let plane = ModelPlane { point: [0.0, 0.0, height], normal: [0.0, 0.0, 1.0], restitution: 0.5 };
+    model.planes = vec![plane; 4];
+}
+
+fn pin_half(model: &mut Model) {
+    let half = model.particles.len() / 2;
+    model.particles.iter_mut().take(half).for_each(|particle| particle.hold = Hold::Pinned);
+}
+
+fn steps(model: &Model, gravity: [f64; 3], stepper: StepperName) -> Steps {
+    let mut world = world::<f32>(model, gravity).expect("a scene in range");
+    let mut stepper = AnyStepper::named(stepper, 1e-6);
+    Box::new(move |steps| {
+        for _ in 0..steps {
+            world.step(&mut stepper, &mut Project, TIME_STEP as f32).expect("a stable step");
+        }
+    })
+}
+
+/// Balls over a plane, each step a sixtieth of a second, taken in so many parts.
+fn frames(stepper: StepperName, parts: u16) -> Steps {
+    let mut world = world::<f32>(&balls(10_000), GRAVITY).expect("a scene in range");
+    let mut stepper = AnyStepper::named(stepper, 1e-6);
+    Box::new(move |steps| {
+        for _ in 0..steps * u32::from(parts) {
+            world.step(&mut stepper, &mut Project, 1.0 / 60.0 / f32::from(parts)).expect("a stable step");
+        }
+    })
+}
+
+/// Ropes that lie still, without gravity, one in a hundred of which swings.
+fn ropes_at_rest(sleep: Option<Sleep<f32>>) -> Steps {
+    let mut model = crate::scenes::ropes(200, 100);
+    for (number, particle) in model.particles.iter_mut().enumerate() {
+        if number / 100 % 100 == 37 {
+            particle.velocity = [0.0, 0.0, 1.0];
+        }
+    }
+    let mut world = world::<f32>(&model, [0.0; 3]).expect("a scene in range");
+    world.set_sleep(sleep).expect("sound");
+    let mut stepper = AnyStepper::named(euler(), 1e-6);
+    let mut take = move |steps: u32| {
+        for _ in 0..steps {
+            world.step(&mut stepper, &mut Project, 1e-3).expect("a stable step");
+        }
+        world.view().plan().islands_asleep
+    };
+    let asleep = take(100);
+    assert_eq!(asleep, if sleep.is_some() { 198 } else { 0 });
+    Box::new(move |steps| {
+        take(steps);
+    })
+}
+
+/// It never comes to rest.
+fn cloth_that_may_sleep(may: bool) -> Steps {
+    let mut world = world::<f32>(&cloth(64, 0.05), GRAVITY).expect("a scene in range");
+    world.set_sleep(may.then(|| Sleep::below(1e-6))).expect("sound");
+    let mut stepper = AnyStepper::named(euler(), 1e-6);
+    Box::new(move |steps| {
+        for _ in 0..steps {
+            world.step(&mut stepper, &mut Project, TIME_STEP as f32).expect("a stable step");
+        }
+    })
+}
