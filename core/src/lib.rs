@@ -70,6 +70,7 @@ mod reach;
 mod real;
 mod roles;
 mod rounding;
+mod shared;
 mod sleep;
 mod solve;
 mod square_root;

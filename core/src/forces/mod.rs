@@ -13,6 +13,7 @@ mod tiles;
 mod window;
 
 use crate::Real;
+use crate::shared::share;
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut};
 use crate::world::System;
@@ -49,7 +50,7 @@ impl<R: Real> System<'_, R> {
         }
         let slots = 0..self.plan.particles;
         let whole = Accelerations { system: self, position, velocity, slots, out, then, window: None };
-        let outcome = shared::run(whole);
+        let outcome = share(whole, self.workers);
         report.degenerate_springs = outcome.degenerate;
         outcome.finite
     }

@@ -7,6 +7,7 @@ mod implicit_euler;
 mod implicit_euler_linearised;
 mod semi_implicit_euler;
 mod velocity_verlet;
+mod verlet_stages;
 
 pub use auto::{Auto, Choice, Chosen};
 pub use explicit_euler::ExplicitEuler;

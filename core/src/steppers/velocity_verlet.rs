@@ -1,9 +1,11 @@
 //! Velocity Verlet with the damping evaluated at a predicted velocity.
 
+use super::verlet_stages::{Drift, Kick};
 use crate::Real;
 use crate::roles::Stepper;
+use crate::shared::share;
 use crate::types::{Full, StepReport};
-use crate::vectors::{ColumnsMut, advance_columns, fetch, lend, read, store};
+use crate::vectors::{ColumnsMut, fetch, lend, read, store};
 use crate::world::{Column, Plan, Storage, View};
 
 /// x' = x + dt·v + ½dt²·a; a' = a(x', v + dt·a); v' = v + ½dt (a + a'). Second order, one force evaluation a step.
@@ -125,20 +127,28 @@ fn advance<R: Real>(
     let View { system, current, next, .. } = view;
     let (x, v) = (read(&current.position), read(&current.velocity));
     let a = read(acceleration);
-    let half = R::from_f64(0.5) * dt;
-
-    for ((out, x), (v, a)) in lend(&mut next.position).into_iter().zip(x).zip(v.into_iter().zip(a)) {
-        for ((out, x), (v, a)) in out.iter_mut().zip(x).zip(v.iter().zip(a)) {
-            *out = *x + dt * (*v + half * *a);
-        }
-    }
-    advance_columns(lend(&mut next.velocity), v, dt, a);
+    let (lanes, slots) = (system.lanes, 0..system.plan.particles);
+    let drift = Drift {
+        lanes,
+        dt,
+        slots: slots.clone(),
+        position: x,
+        velocity: v,
+        acceleration: a,
+        next_position: lend(&mut next.position),
+        predicted: lend(&mut next.velocity),
+    };
+    let drifted = share(drift, system.workers);
     let predicted = read(&next.velocity);
     system.accelerations(read(&next.position), predicted, lend(&mut next_acceleration), report);
-    let columns = lend(&mut next.velocity).into_iter().zip(v);
-    for ((out, v), (a, next_a)) in columns.zip(a.into_iter().zip(read(&next_acceleration))) {
-        for ((out, v), (a, next_a)) in out.iter_mut().zip(v).zip(a.iter().zip(next_a)) {
-            *out = *v + half * (*a + *next_a);
-        }
-    }
+    let kick = Kick {
+        lanes,
+        dt,
+        slots,
+        velocity: v,
+        acceleration: a,
+        next_acceleration: read(&next_acceleration),
+        next_velocity: lend(&mut next.velocity),
+    };
+    view.is_next_finite = share(kick, system.workers) && drifted;
 }
