@@ -31,6 +31,8 @@ pub struct Container<R: Real, M: Storage> {
     epoch: u64,
     changes: u64,
     plan: Option<Plan>,
+    /// Where particles and springs are, if nothing has changed that this follows from.
+    layout: Option<Layout>,
     lanes: Lanes,
     sleep: Option<Sleep<R>>,
     watch: Watch,
@@ -56,6 +58,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             epoch: 0,
             changes: 0,
             plan: None,
+            layout: None,
             lanes: Lanes::Avx512,
             sleep: None,
             watch: Watch { since: 0.0, fell_asleep: false },
@@ -77,6 +80,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         let number = self.particles.push(particle)?;
         self.disturb();
         self.plan = None;
+        self.layout = None;
         Ok(number)
     }
 
@@ -110,6 +114,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         slots.into_iter().for_each(|slot| self.wake(slot));
         self.disturb();
         self.plan = None;
+        self.layout = None;
         Ok(number)
     }
 
@@ -245,6 +250,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.wake_all();
         self.disturb();
         self.plan = None;
+        self.layout = None;
         Ok(())
     }
 
@@ -332,12 +338,20 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
     }
 
-    /// Sorts particles into slots, lists their springs, and finds out what the world needs.
-    fn prepare(&mut self) -> Plan {
+    /// Sorts particles into slots, and lists their springs.
+    fn lay_out(&mut self) -> Layout {
         let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep.is_some());
-        let Layout { particles, attached, asleep, islands, islands_asleep } = layout;
         order(&mut self.springs, layout.first_asleep());
         list_incidences(&mut self.particles, &mut self.springs);
+        layout
+    }
+
+    /// Puts everything where it belongs, and finds out what the world needs.
+    fn prepare(&mut self) -> Plan {
+        let layout = self.layout.unwrap_or_else(|| self.lay_out());
+        // Where islands may sleep, it also follows from what is held and what is calm.
+        self.layout = self.sleep.is_none().then_some(layout);
+        let Layout { particles, attached, asleep, islands, islands_asleep, renumbered, .. } = layout;
         let springs = self.springs.ends.items().partition_point(|[_, j]| *j < layout.first_asleep());
         let (on_diagonals, pieces) = self.find_pieces(attached - asleep, springs);
         let awake = self.springs.ends.items().iter().take(springs);
@@ -349,6 +363,9 @@ impl<R: Real, M: Storage> Container<R, M> {
             springs: self.springs.count(),
             on_diagonals,
             span: awake.map(|[i, j]| j - i).max().unwrap_or(0),
+            renumbered: renumbered.particles,
+            reach: renumbered.reach,
+            reach_by_number: renumbered.reach_before,
             pieces,
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,
