@@ -11,14 +11,18 @@ use core::ops::Range;
 
 use super::cuthill_mckee::Graph;
 use super::layout::{ParticleColumns, SpringColumns};
+use super::pieces::LEAST;
 use super::prepare::list_incidences;
 use super::rest::Mark;
 use super::storage::{Column, Storage};
 use crate::Real;
 use crate::vectors::{at, put};
 
-/// Where no spring reaches further than so many slots, everything is in the first cache anyway.
+/// Where no spring reaches further than so many slots, nothing can be gained.
 pub const NEAR: u32 = 16;
+/// Where none reaches further than so many, both ends are in the first cache anyway: other numbers help only if they put
+/// springs on diagonals.
+const FAR: u32 = 768;
 /// No slot.
 const NONE: u32 = u32::MAX;
 
@@ -31,6 +35,14 @@ pub struct Renumbered {
     pub reach_before: u32,
     /// The furthest that they reach now.
     pub reach: u32,
+}
+
+/// A better order of an island.
+struct Better {
+    /// The furthest that its springs reached, and reach now.
+    reach: [u32; 2],
+    /// The number of the particle that comes to be in its last slot.
+    last: u32,
 }
 
 /// How far the springs of an island reach.
@@ -66,28 +78,22 @@ pub fn renumber<R: Real, M: Storage>(
         let last = (first..awake.end).find(is_last).unwrap_or(awake.end - 1);
         let island = first..last + 1;
         first = island.end;
-        let before = reach(&graph, &island, |slot| slot);
-        if before.most > NEAR && !is_diagonal(&graph, &island, &before, seen) {
-            graph.order(&island);
-            let [former, latter] = [last, graph.in_place(island.start)].map(|slot| at(new_slot, slot));
-            for place in island.clone() {
-                put(new_slot, graph.in_place(place), last - (place - island.start));
+        let former = at(new_slot, last);
+        let Some(better) = renumber_island(&mut graph, &island, new_slot, seen) else {
+            for slot in island {
+                put(new_slot, slot, slot);
             }
-            let after = reach(&graph, &island, |slot| at(new_slot, slot));
-            // By a quarter at least; and never a longer longest one, which a step by several threads pays for.
-            if after.sum <= before.sum / 4 * 3 && after.most <= before.most {
-                for (particle, is_last) in [(former, false), (latter, true)] {
-                    put(rest, particle, Mark::from_byte(at(rest, particle)).placed(is_last).to_byte());
-                }
-                renumbered.particles += island.end - island.start;
-                renumbered.reach_before = renumbered.reach_before.max(before.most);
-                renumbered.reach = renumbered.reach.max(after.most);
-                continue;
-            }
+            continue;
+        };
+        for (particle, is_last) in [(former, false), (better.last, true)] {
+            put(rest, particle, Mark::from_byte(at(rest, particle)).placed(is_last).to_byte());
         }
-        for slot in island {
-            put(new_slot, slot, slot);
-        }
+        let [reach_before, reach] = better.reach;
+        renumbered = Renumbered {
+            particles: renumbered.particles + (last - island.start + 1),
+            reach_before: renumbered.reach_before.max(reach_before),
+            reach: renumbered.reach.max(reach),
+        };
     }
     incidence_end.items_mut().copy_from_slice(particle_at.items());
     for (particle, slot) in (0..).zip(slot_of.items()) {
@@ -96,34 +102,75 @@ pub fn renumber<R: Real, M: Storage>(
     renumbered
 }
 
-/// The springs of an island, by their lower ends.
-fn ends<'a>(graph: &'a Graph<'_>, island: &'a Range<u32>) -> impl Iterator<Item = [u32; 2]> + 'a {
+/// Finds a better order for an island, if there is one. The numbers of its particles make room for their new slots.
+fn renumber_island(
+    graph: &mut Graph<'_>,
+    island: &Range<u32>,
+    new_slot: &mut [u32],
+    seen: &mut [u32],
+) -> Option<Better> {
+    let same = |slot| slot;
+    let before = reach(ends(graph, island, same, same));
+    if before.most <= NEAR || is_diagonal(ends(graph, island, same, same), &before, seen) {
+        return None;
+    }
+    graph.order(island);
+    let last = at(new_slot, graph.in_place(island.start));
+    // Turned round.
+    let turned = |index: u32| island.end - 1 - (index - island.start);
+    for place in island.clone() {
+        put(new_slot, graph.in_place(place), turned(place));
+    }
+    let (former, slot_of) = (|slot| graph.in_place(turned(slot)), |slot| at(new_slot, slot));
+    let after = reach(ends(graph, island, former, slot_of));
+    // By a quarter at least; and never a longer longest one, which a step by several threads pays for.
+    let is_shorter = after.sum <= before.sum / 4 * 3 && after.most <= before.most;
+    let helps = before.most > FAR || is_diagonal(ends(graph, island, former, slot_of), &after, seen);
+    (is_shorter && helps).then_some(Better { reach: [before.most, after.most], last })
+}
+
+/// The springs of an island in other slots: `former` tells which each one is, and `slot_of` is its inverse. By their lower
+/// ends.
+fn ends<'a>(
+    graph: &'a Graph<'_>,
+    island: &'a Range<u32>,
+    former: impl Fn(u32) -> u32 + Copy + 'a,
+    slot_of: impl Fn(u32) -> u32 + Copy + 'a,
+) -> impl Iterator<Item = [u32; 2]> + 'a {
     island.clone().flat_map(move |slot| {
-        let above = graph.neighbours(slot).filter(move |neighbour| (slot + 1..island.end).contains(neighbour));
-        above.map(move |neighbour| [slot, neighbour])
+        let inside = graph.neighbours(former(slot)).filter(|neighbour| island.contains(neighbour));
+        inside.map(move |neighbour| [slot, slot_of(neighbour)]).filter(|[i, j]| i < j)
     })
 }
 
-/// How far the springs of an island reach with its particles in these slots.
-fn reach(graph: &Graph<'_>, island: &Range<u32>, slot_of: impl Fn(u32) -> u32) -> Reach {
-    ends(graph, island).fold(Reach::default(), |Reach { springs, sum, most }, ends| {
-        let [i, j] = ends.map(&slot_of);
-        let distance = i.abs_diff(j);
+/// How far springs reach.
+fn reach(ends: impl Iterator<Item = [u32; 2]>) -> Reach {
+    ends.fold(Reach::default(), |Reach { springs, sum, most }, [i, j]| {
+        let distance = j - i;
         Reach { springs: springs + 1, sum: sum + u64::from(distance), most: most.max(distance) }
     })
 }
 
-/// Whether at least half of the springs lie on diagonals: another one begins in the slot before, or in the one before
-/// that, and reaches as far. `seen` is room for a word a spring: an island has no more distances than springs.
-fn is_diagonal(graph: &Graph<'_>, island: &Range<u32>, all: &Reach, seen: &mut [u32]) -> bool {
+/// Whether at least half of the springs lie on diagonals, so many in a row that they are worth a piece: each begins in the
+/// slot after the last one or, as at the end of a row, in the one after that, and reaches as far. `seen` is room for a
+/// word a spring: an island has no more distances than springs.
+fn is_diagonal(ends: impl Iterator<Item = [u32; 2]>, all: &Reach, seen: &mut [u32]) -> bool {
     let seen = seen.get_mut(..all.most as usize).unwrap_or_default();
     seen.fill(NONE);
     let mut on_diagonals = 0;
-    for [i, j] in ends(graph, island) {
+    for [i, j] in ends {
         let distance = j - i - 1;
-        let before = at(seen, distance);
-        on_diagonals += u64::from(before != NONE && (1..=2).contains(&(i - before)));
-        put(seen, distance, i);
+        // In one word, where the last spring of this reach begins, and how many others there are in its row: what more
+        // than a piece needs is not counted.
+        let (last, place) = (at(seen, distance), i.wrapping_mul(LEAST));
+        let others = last % LEAST;
+        let goes_on = last != NONE && [LEAST, 2 * LEAST].contains(&place.wrapping_sub(last - others));
+        let row = if goes_on { others + 2 } else { 1 };
+        on_diagonals += match row {
+            LEAST => u64::from(LEAST),
+            _ => u64::from(row > LEAST),
+        };
+        put(seen, distance, place + (row.min(LEAST) - 1));
     }
     2 * on_diagonals >= all.springs
 }
