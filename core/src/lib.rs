@@ -38,7 +38,8 @@
 //!   gets a list of its springs, and a [`Plan`] says what there is, so that a step leaves out what there is not.
 //! - Springs are sorted into the order in which their forces are added (`world/order.rs`). Those whose ends lie a constant
 //!   number of slots apart, most of a rope, a cloth or a block, form pieces of diagonals (`world/pieces.rs`), along which
-//!   nothing has to be gathered; the others are gathered a few at a time.
+//!   nothing has to be gathered; the others are gathered a few at a time. Where most lie on none and reach far, particles
+//!   are put in another order (`world/renumber.rs`).
 //! - Forces take one pass over tiles of particles (`forces/tiles.rs`), each tile being stepped while it is in the first
 //!   cache. The hot loop is in `forces/diagonal.rs`; it is compiled for several sets of vector instructions ([`Lanes`]), and
 //!   tiles may be shared among threads ([`Workers`]).

@@ -30,7 +30,10 @@ pub struct Container<R: Real, M: Storage> {
     front: usize,
     epoch: u64,
     changes: u64,
+    /// Of what was prepared, if particles and springs still are where they belong.
     plan: Option<Plan>,
+    /// Whether all of it holds.
+    is_current: bool,
     lanes: Lanes,
     sleep: Option<Sleep<R>>,
     watch: Watch,
@@ -56,6 +59,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             epoch: 0,
             changes: 0,
             plan: None,
+            is_current: false,
             lanes: Lanes::Avx512,
             sleep: None,
             watch: Watch { since: 0.0, fell_asleep: false },
@@ -122,7 +126,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.planes.push(plane).map_err(AddPlaneError::Full)?;
         self.wake_all();
         self.disturb();
-        self.plan = None;
+        self.is_current = false;
         Ok(number)
     }
 
@@ -138,7 +142,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.gravity = gravity;
         self.wake_all();
         self.disturb();
-        self.plan = None;
+        self.is_current = false;
         Ok(())
     }
 
@@ -221,7 +225,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
         self.wake(slot);
         self.disturb();
-        self.plan = None;
+        self.is_current = false;
         Ok(())
     }
 
@@ -233,7 +237,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// and a held particle that moves lets nothing that hangs on it fall asleep. Particles in free flight never sleep.
     ///
     /// Islands fall asleep at the end of a step, and are left out from the next view of the world on. Where several of
-    /// them hang on one held particle, its pull is added before those of other particles, whatever its number.
+    /// them hang on one held particle, it counts as part of none: its pull is added before those of other particles.
     ///
     /// # Errors
     /// If the speed or the time is not positive and finite.
@@ -276,9 +280,9 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// The world as slices, prepared for stepping.
     pub fn view(&mut self) -> View<'_, R> {
         let plan = match self.plan {
-            Some(plan) if !self.watch.fell_asleep => plan,
-            Some(_) => self.prepare(),
-            None => {
+            Some(plan) if self.is_current && !self.watch.fell_asleep => plan,
+            Some(_) if self.is_current => self.prepare(),
+            _ => {
                 self.disturb();
                 self.prepare()
             }
@@ -332,19 +336,39 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
     }
 
-    /// Sorts particles into slots, lists their springs, and finds out what the world needs.
-    fn prepare(&mut self) -> Plan {
+    /// Sorts particles into slots, and lists their springs. Returns what a plan says of that.
+    fn lay_out(&mut self) -> Plan {
         let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep.is_some());
-        let Layout { particles, attached, asleep, islands, islands_asleep } = layout;
         order(&mut self.springs, layout.first_asleep());
         list_incidences(&mut self.particles, &mut self.springs);
-        let springs = self.springs.ends.items().partition_point(|[_, j]| *j < layout.first_asleep());
+        let Layout { particles, attached, asleep, islands, islands_asleep, renumbered, .. } = layout;
+        Plan {
+            attached,
+            particles,
+            renumbered: renumbered.particles,
+            reach: renumbered.reach,
+            reach_by_number: renumbered.reach_before,
+            islands,
+            islands_asleep,
+            asleep,
+            ..Plan::default()
+        }
+    }
+
+    /// Puts everything where it belongs, and finds out what the world needs.
+    fn prepare(&mut self) -> Plan {
+        let laid_out = match self.plan {
+            // Where islands may sleep, the layout also follows from what is held and what is calm.
+            Some(plan) if self.sleep.is_none() => plan,
+            _ => self.lay_out(),
+        };
+        let Plan { particles, attached, asleep, .. } = laid_out;
+        let first_asleep = particles - asleep;
+        let springs = self.springs.ends.items().partition_point(|[_, j]| *j < first_asleep);
         let (on_diagonals, pieces) = self.find_pieces(attached - asleep, springs);
         let awake = self.springs.ends.items().iter().take(springs);
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
-            attached,
-            particles,
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             springs: self.springs.count(),
             on_diagonals,
@@ -352,13 +376,12 @@ impl<R: Real, M: Storage> Container<R, M> {
             pieces,
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,
-            islands,
-            islands_asleep,
-            asleep,
             springs_asleep: self.springs.count() - springs as u32,
+            ..laid_out
         };
         self.watch.fell_asleep = false;
         self.plan = Some(plan);
+        self.is_current = true;
         plan
     }
 

@@ -2,8 +2,9 @@
 //! sleep: held particles that belong to several islands or to none, islands that are awake, particles in free flight,
 //! islands that sleep.
 //!
-//! Within an island particles are in the order of their numbers, wherever the island is. A particle's sum goes through
-//! its neighbours by slot, so it does not change when other islands fall asleep or are not there at all.
+//! Within an island particles are in the order of their numbers, or in one that nothing but the island decides
+//! (`renumber.rs`), wherever the island is. A particle's sum goes through its neighbours by slot, so it does not change
+//! when other islands fall asleep or are not there at all.
 
 use super::layout::{Incidence, ParticleColumns, SpringColumns};
 use super::prepare::Layout;
@@ -74,19 +75,21 @@ impl Forest<'_> {
     }
 }
 
-/// Finds the islands, and writes the slot that each particle is to have to `incidence_end`. Returns how many of what
-/// there are, and whether any particle has to move.
+/// Finds the islands, and writes the slot that each particle is to have to `incidence_end`. Where `held_connect`, what
+/// hangs on the same held particles is one island. Returns how many of what there are, and whether any particle has to
+/// move.
 pub fn arrange<R: Real, M: Storage>(
     particles: &mut ParticleColumns<R, M>,
     springs: &mut SpringColumns<R, M>,
     front: usize,
+    held_connect: bool,
 ) -> (Layout, bool) {
     let ParticleColumns { state: [a, b], inverse_mass, slot_of, incidence_end, rest, .. } = particles;
     let velocity = if front == 0 { a.velocity() } else { b.velocity() };
     let (inverse_mass, slot_of, rest) = (inverse_mass.items(), slot_of.items(), rest.items_mut());
     let ends = springs.ends.items();
     let mut forest = Forest(springs.incidences.items_mut().as_flattened_mut());
-    let is_dynamic = |slot: u32| at(inverse_mass, slot) != R::ZERO;
+    let connects = |slot: u32| held_connect || at(inverse_mass, slot) != R::ZERO;
 
     let rank_of = incidence_end.items_mut();
     rank_of.fill(FREE);
@@ -97,19 +100,19 @@ pub fn arrange<R: Real, M: Storage>(
     for slot in slot_of {
         if at(rank_of, *slot) != FREE {
             put(rank_of, *slot, attached);
-            forest.set_parent(attached, if is_dynamic(*slot) { attached } else { UNCLAIMED });
+            forest.set_parent(attached, if connects(*slot) { attached } else { UNCLAIMED });
             forest.set_tally(attached, 0);
             attached += 1;
         }
     }
     for [i, j] in ends {
-        if is_dynamic(*i) && is_dynamic(*j) {
+        if connects(*i) && connects(*j) {
             forest.join(at(rank_of, *i), at(rank_of, *j));
         }
     }
     for [i, j] in ends {
-        let (held, dynamic) = if is_dynamic(*i) { (*j, *i) } else { (*i, *j) };
-        if is_dynamic(dynamic) && !is_dynamic(held) {
+        let (held, dynamic) = if connects(*i) { (*j, *i) } else { (*i, *j) };
+        if connects(dynamic) && !connects(held) {
             let root = forest.root(at(rank_of, dynamic));
             forest.claim(at(rank_of, held), root);
         }
@@ -136,14 +139,14 @@ pub fn arrange<R: Real, M: Storage>(
     }
     let layout = allot(&mut forest, attached, shared, slot_of.len() as u32);
 
-    let moved = assign(&mut forest, &layout, shared, slot_of, rank_of);
-    mark(&mut forest, &layout, shared, slot_of, rank_of, rest);
+    let moved = assign(&mut forest, &layout, slot_of, rank_of);
+    mark(&mut forest, &layout, slot_of, rank_of, rest);
     (layout, moved)
 }
 
 /// Leaves the first slot of each island at its root.
 fn allot(forest: &mut Forest<'_>, attached: u32, shared: u32, particles: u32) -> Layout {
-    let mut layout = Layout { particles, attached, ..Layout::default() };
+    let mut layout = Layout { particles, attached, shared, ..Layout::default() };
     for rank in 0..attached {
         if forest.parent(rank) != rank {
             continue;
@@ -170,8 +173,8 @@ fn allot(forest: &mut Forest<'_>, attached: u32, shared: u32, particles: u32) ->
 
 /// Gives every particle its slot, in place of its rank, and leaves the slot after each island's last at its root.
 /// Returns whether any has to move.
-fn assign(forest: &mut Forest<'_>, layout: &Layout, shared: u32, slot_of: &[u32], new_slot: &mut [u32]) -> bool {
-    let (mut next_shared, mut next_free) = (0..shared, layout.attached - layout.asleep..layout.first_asleep());
+fn assign(forest: &mut Forest<'_>, layout: &Layout, slot_of: &[u32], new_slot: &mut [u32]) -> bool {
+    let (mut next_shared, mut next_free) = (0..layout.shared, layout.attached - layout.asleep..layout.first_asleep());
     let mut moved = false;
     for slot in slot_of {
         let rank = at(new_slot, *slot);
@@ -193,7 +196,7 @@ fn assign(forest: &mut Forest<'_>, layout: &Layout, shared: u32, slot_of: &[u32]
 }
 
 /// Marks the last of each island, and what does not sleep as awake.
-fn mark(forest: &mut Forest<'_>, layout: &Layout, shared: u32, slot_of: &[u32], new_slot: &[u32], rest: &mut [u8]) {
+fn mark(forest: &mut Forest<'_>, layout: &Layout, slot_of: &[u32], new_slot: &[u32], rest: &mut [u8]) {
     let free = layout.attached - layout.asleep..layout.first_asleep();
     let mut ranks = 0..layout.attached;
     for (byte, slot) in rest.iter_mut().zip(slot_of) {
@@ -201,7 +204,7 @@ fn mark(forest: &mut Forest<'_>, layout: &Layout, shared: u32, slot_of: &[u32], 
         let mut last = false;
         if !free.contains(&slot) {
             let root = forest.parent(ranks.next().unwrap_or_default());
-            let end = if root >= SHARED { shared } else { forest.tally(root) };
+            let end = if root >= SHARED { layout.shared } else { forest.tally(root) };
             last = slot + 1 == end;
         }
         let mark = Mark::from_byte(*byte).placed(last);

@@ -25,7 +25,8 @@ pub struct StateColumns<R: Real, M: Storage> {
 /// What a particle has: 14 reals and 13 bytes, that is 69 bytes in `f32` and 125 in `f64`.
 ///
 /// Particles are kept in *slots*: first those that springs pull at, then those in free flight, each in the order of
-/// their numbers; where islands may sleep, as `islands.rs` says. Nobody outside sees a slot.
+/// their numbers; where islands may sleep, as `islands.rs` says, and where a mesh is numbered badly, as `renumber.rs`
+/// says. Nobody outside sees a slot.
 pub struct ParticleColumns<R: Real, M: Storage> {
     /// The state now and the state that a step is making: 12 reals. A step that fails leaves the first untouched.
     pub state: [StateColumns<R, M>; 2],

@@ -2,12 +2,14 @@
 
 mod clock;
 mod container;
+mod cuthill_mckee;
 mod islands;
 mod layout;
 mod order;
 mod pieces;
 mod plan;
 mod prepare;
+mod renumber;
 mod rest;
 mod storage;
 mod view;

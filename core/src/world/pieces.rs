@@ -28,7 +28,7 @@ pub fn stretches(slots: Range<u32>, length: u32) -> impl Iterator<Item = Range<u
 /// Pieces begin and end at multiples of this where they can: as many lanes as there are.
 const LANES: u32 = 16;
 /// Fewer springs than this are not worth a piece.
-const LEAST: u32 = 8;
+pub const LEAST: u32 = 8;
 /// More places without a spring than this end a piece.
 const LONGEST_GAP: u32 = 7;
 /// What a piece is kept in: no more words than it has springs.

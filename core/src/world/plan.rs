@@ -33,6 +33,13 @@ pub struct Plan {
     pub on_diagonals: u32,
     /// The furthest that a spring reaches, in slots.
     pub span: u32,
+    /// Particles that are kept in another order than that of their numbers, so that their springs reach less far. Nobody
+    /// outside sees it.
+    pub renumbered: u32,
+    /// The furthest that a spring of theirs reaches, in slots.
+    pub reach: u32,
+    /// The furthest that a spring of theirs would reach by number.
+    pub reach_by_number: u32,
     /// Stretches that those diagonals are cut into.
     pub pieces: u32,
     /// Planes: without any, nothing is tested for hits.

@@ -5,6 +5,7 @@
 
 use super::islands::arrange;
 use super::layout::{Incidence, ParticleColumns, SpringColumns};
+use super::renumber::{NEAR, Renumbered, renumber};
 use super::storage::{Column, Storage};
 use super::view::State;
 use crate::Real;
@@ -17,12 +18,16 @@ pub struct Layout {
     pub particles: u32,
     /// Those that springs pull at.
     pub attached: u32,
+    /// Held particles that no island has to itself: where islands were looked for, they come first.
+    pub shared: u32,
     /// Those of islands that sleep: they come last.
     pub asleep: u32,
     /// Islands, if they were looked for.
     pub islands: u32,
     /// Islands that sleep.
     pub islands_asleep: u32,
+    /// Particles that are not in the order of their numbers.
+    pub renumbered: Renumbered,
 }
 
 impl Layout {
@@ -39,13 +44,51 @@ pub fn partition<R: Real, M: Storage>(
     front: usize,
     by_islands: bool,
 ) -> Layout {
-    let (layout, moved) =
-        if by_islands { arrange(particles, springs, front) } else { attached_first(particles, springs) };
-    if moved {
-        permute(particles, springs, front);
+    let by_number =
+        if by_islands { arrange(particles, springs, front, false) } else { attached_first(particles, springs) };
+    let mut layout = moved(by_number, particles, springs, front);
+    if springs.ends.items().iter().any(|[i, j]| i.abs_diff(*j) > NEAR) {
+        layout.renumbered = renumber_islands(particles, springs, front, by_islands, &layout);
     }
     if layout.asleep > 0 {
         settle(particles, layout.first_asleep(), front);
+    }
+    layout
+}
+
+/// Gives islands an order of their own where that is better than that of their numbers.
+fn renumber_islands<R: Real, M: Storage>(
+    particles: &mut ParticleColumns<R, M>,
+    springs: &mut SpringColumns<R, M>,
+    front: usize,
+    by_islands: bool,
+    layout: &Layout,
+) -> Renumbered {
+    let mut layout = *layout;
+    if !by_islands {
+        // What is connected gets slots of its own, for as long as it takes to see whether any of it is renumbered.
+        let arranged = arrange(particles, springs, front, true);
+        layout = moved(arranged, particles, springs, front);
+    }
+    let renumbered = renumber(particles, springs, layout.shared..layout.attached - layout.asleep);
+    if renumbered.particles > 0 {
+        permute(particles, springs, front);
+    } else if !by_islands {
+        let by_number = attached_first(particles, springs);
+        moved(by_number, particles, springs, front);
+    }
+    renumbered
+}
+
+/// Moves particles to the slots that `incidence_end` names if any has to.
+fn moved<R: Real, M: Storage>(
+    (layout, has_to): (Layout, bool),
+    particles: &mut ParticleColumns<R, M>,
+    springs: &mut SpringColumns<R, M>,
+    front: usize,
+) -> Layout {
+    if has_to {
+        permute(particles, springs, front);
     }
     layout
 }

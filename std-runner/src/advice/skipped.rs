@@ -52,6 +52,15 @@ pub fn skipped(plan: &Plan) -> Vec<String> {
                 counted(u64::from(plan.springs), "spring")
             ));
         }
+        if plan.renumbered > 0 {
+            lines.push(format!(
+                "reaching far for the ends of springs: inside, {} are in an order in which those are at most {} apart, \
+                 not {} as they are numbered",
+                counted(u64::from(plan.renumbered), "particle"),
+                count(u64::from(plan.reach)),
+                count(u64::from(plan.reach_by_number))
+            ));
+        }
         if plan.damped == Coverage::None {
             lines.push("spring damping: no spring is damped, so the forces read no velocities".to_owned());
         }
