@@ -2,7 +2,9 @@
 //! machine has is chosen when it runs.
 //!
 //! The bodies are plain loops over slices that the compiler vectorises. That leaves the language's own rounding rules
-//! in force, so every set gives the same bits without a line that sees to it.
+//! in force, so every set gives the same bits without a line that sees to it. Compared on the hot loop, `f32`, in ns a
+//! spring (`cargo bench -p hooke-benches --bench lanes`, AMD EPYC): plain loops 1.0, intrinsics 1.0 and `pulp` 1.1 with
+//! AVX2; plain loops 2.2 and `wide`, which has only the instructions of the whole program, 1.8 with SSE2.
 #![allow(
     unsafe_code,
     reason = "calls into functions compiled for instructions that the machine has been found to have"
