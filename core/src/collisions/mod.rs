@@ -1,7 +1,9 @@
 //! Collisions with planes, in three named forms, and flight from plane to plane.
 
 mod bounce;
+mod due;
 mod events;
+mod extent;
 mod flights;
 mod fly;
 mod impacts;
@@ -9,6 +11,7 @@ mod project;
 mod reflect;
 mod stop;
 mod time_of_impact;
+mod together;
 
 pub use flights::Flights;
 pub use project::Project;
