@@ -98,10 +98,15 @@ impl<'a, R: Real> Path<'a, R> {
     /// The path of a particle in free flight; a held one moves uniformly, through planes too.
     pub fn of(system: &System<'a, R>, slot: u32, curvature: R) -> Self {
         if system.is_dynamic(slot) {
-            Self { planes: system.planes, gravity: system.gravity, curvature }
+            Self::of_dynamic(system, curvature)
         } else {
             Self { planes: &[], gravity: [R::ZERO; 3], curvature }
         }
+    }
+
+    /// The path of a particle that is not held, as is every one that has something due: held ones meet no planes.
+    pub fn of_dynamic(system: &System<'a, R>, curvature: R) -> Self {
+        Self { planes: system.planes, gravity: system.gravity, curvature }
     }
 
     /// What the planes that it lies on leave of gravity.

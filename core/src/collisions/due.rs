@@ -48,21 +48,20 @@ impl Due {
     pub fn list<R: Real>(&mut self, events: &mut Events<'_, R>, first: u32, time: f64) -> u32 {
         self.listed = 0;
         let mut block = first;
-        let skipped = first as usize * BLOCK;
-        let since = events.since.get(skipped..).unwrap_or_default().chunks(BLOCK);
-        let tau = events.tau.get(skipped..).unwrap_or_default().chunks(BLOCK);
-        let earliest = events.earliest.get_mut(first as usize..).unwrap_or_default();
-        for (earliest, (since, tau)) in earliest.iter_mut().zip(since.zip(tau)) {
+        for earliest in events.earliest.iter_mut().skip(first as usize) {
             if *earliest <= time {
                 if self.listed as usize + BLOCK > ROOM {
                     break;
                 }
+                let start = block as usize * BLOCK;
+                let since = events.since.get(start..).unwrap_or_default();
+                let tau = events.tau.get(start..).unwrap_or_default();
                 let due;
                 (due, *earliest) = match (since.first_chunk(), tau.first_chunk()) {
                     (Some(since), Some(tau)) => due_of(since, tau, time),
                     _ => due_of_part(since, tau, time),
                 };
-                self.push(block * BLOCK as u32, due);
+                self.push(start as u32, due);
             }
             block += 1;
         }
@@ -89,9 +88,11 @@ impl Due {
 fn due_of<R: Real>(since: &[f64; BLOCK], tau: &[R; BLOCK], time: f64) -> (u32, f64) {
     let mut times = [0.0; BLOCK];
     let mut bits = [0; BLOCK];
-    for (((next, bit), number), (since, tau)) in times.iter_mut().zip(&mut bits).zip(0..).zip(since.iter().zip(tau)) {
+    for ((next, bit), (number, (since, tau))) in times.iter_mut().zip(&mut bits).zip((0..).zip(since.iter().zip(tau))) {
         let due = *since + tau.to_f64();
-        *bit = if due <= time { 1_u64 << number } else { 0 };
+        // What is left until then, negative or not: its sign can be taken in whole vectors, a comparison cannot. It is 0
+        // only if both are the same.
+        *bit = (!(time - due).to_bits() >> 63) << number;
         *next = if due <= time { f64::INFINITY } else { due };
     }
     // In halves, as whole vectors are compared.

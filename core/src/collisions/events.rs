@@ -88,7 +88,7 @@ impl<R: Real> Events<'_, R> {
     // One copy of it serves all lanes.
     #[inline(never)]
     pub fn pass_until(&mut self, system: &System<'_, R>, index: u32, time: f64, bounces: &mut Bounces) {
-        let path = Path::of(system, system.plan.attached + index, half());
+        let path = Path::of_dynamic(system, half());
         while at(self.since, index) + at(self.tau, index).abs().to_f64() <= time {
             if bounces.hits == MOST_BOUNCES {
                 bounces.capped = true;
@@ -108,7 +108,7 @@ impl<R: Real> Events<'_, R> {
         if at(self.plane, index) & SETTLES == 0 {
             return None;
         }
-        let path = Path::of(system, system.plan.attached + index, half());
+        let path = Path::of_dynamic(system, half());
         let mut flight = self.last(index);
         let later = path.fly(&mut flight, R::from_f64(time - at(self.since, index)));
         Some((flight, later.lost))

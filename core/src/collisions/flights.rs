@@ -1,10 +1,11 @@
 //! Particles that no spring pulls at, flown exactly from plane to plane: no stepping between the times that are asked
 //! for and the bounces there are.
 
+use super::coast::coast;
 use super::due::BLOCK;
 use super::events::Events;
 use super::extent::Extent;
-use super::fly::Fly;
+use super::pass::{Pass, settle};
 use crate::types::{Full, StepReport};
 use crate::vectors::{lend, split};
 use crate::world::{Column, Plan, State, Storage, View};
@@ -114,19 +115,22 @@ impl<R: Real, M: Storage> Flights<R, M> {
     /// Writes the states at a time, and returns the energy lost since the last events before it.
     fn write(&mut self, view: &mut View<'_, R>, time: f64) -> f64 {
         self.latest = time;
-        let attached = view.system.plan.attached;
+        let system = &view.system;
         let State { position, velocity } = &mut view.next;
-        let ((_, position), (_, velocity)) = (split(lend(position), attached), split(lend(velocity), attached));
-        let flown = lanes::run(
-            view.system.lanes,
-            Fly { system: &view.system, time, events: self.events(), next: State { position, velocity } },
-        );
+        let mut next = State {
+            position: split(lend(position), system.plan.attached).1,
+            velocity: split(lend(velocity), system.plan.attached).1,
+        };
+        let passed = lanes::run(system.lanes, Pass { system, time, events: self.events() });
+        let events = self.events();
+        coast(system, &events, time, State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) });
+        let pending = settle(system, &events, time, &mut next);
         view.is_next_finite = self.extent.is_finite_at::<R>(time);
         let [hits, capped] = &mut self.unreported;
-        *hits = hits.saturating_add(flown.hits);
-        *capped = capped.saturating_add(flown.capped);
-        self.lost += flown.lost;
-        flown.pending
+        *hits = hits.saturating_add(passed.hits);
+        *capped = capped.saturating_add(passed.capped);
+        self.lost += passed.lost;
+        pending
     }
 
     fn events(&mut self) -> Events<'_, R> {

@@ -14,8 +14,7 @@ impl<R: Real> Events<'_, R> {
     #[inline(always)]
     pub fn pass_together(&mut self, system: &System<'_, R>, due: &mut Due, time: f64) {
         let Some(mut events) = self.lend() else { return };
-        // Held particles meet no planes: nothing of theirs is ever due.
-        let path = Path { planes: system.planes, gravity: system.gravity, curvature: half() };
+        let path = Path::of_dynamic(system, half());
         let mut impacts = Impacts::<R>::NOWHERE;
         for lane in 0..TOGETHER as u32 {
             impacts.acceleration.put(lane, path.gravity);
