@@ -1,7 +1,7 @@
 //! How far particles in free flight can have come: that their states are finite need not be looked for in each of them.
 
 use crate::Real;
-use crate::vectors::{size, triples};
+use crate::vectors::{read, size, triples};
 use crate::world::View;
 
 /// Bounds on the states of all particles in free flight. Planes only take speed from them, and gravity adds no more than
@@ -10,9 +10,9 @@ use crate::world::View;
 pub struct Extent {
     /// The time that the flights began, s.
     begun: f64,
-    /// The largest distance then from the origin and from a plane through it, m, and that of planes from it.
+    /// No particle was further from the origin then, and no plane is, m.
     distance: f64,
-    /// The largest speed then, m/s.
+    /// No particle was faster then, m/s.
     speed: f64,
     /// |g|, m/s²
     gravity: f64,
@@ -24,15 +24,14 @@ impl Extent {
 
     /// Of the current state, at the time `now`.
     pub fn of<R: Real>(view: &View<'_, R>, now: f64) -> Self {
-        // All in sums of absolute values, which are larger than lengths. A maximum would lose a NaN, a sum keeps it; it
-        // is larger than the maximum by the number of particles, which does not matter here.
+        // A sum over all of them keeps what is not a number, which a maximum would lose. It is too large by a factor of
+        // their number at most, which does not matter here.
         let slots = view.system.plan.attached as usize..view.system.plan.particles as usize;
         let sum = |columns: [&[R]; 3]| {
             let columns = columns.map(|column| column.get(slots.clone()).unwrap_or_default());
             triples(columns).fold(0.0, |sum, vector| sum + size(vector.map(R::to_f64)))
         };
-        let (position, velocity) =
-            (crate::vectors::read(&view.current.position), crate::vectors::read(&view.current.velocity));
+        let (position, velocity) = (read(&view.current.position), read(&view.current.velocity));
         let planes = view.system.planes.iter().fold(0.0, |sum, plane| sum + plane.offset.abs().to_f64());
         Self {
             begun: now,
@@ -47,7 +46,8 @@ impl Extent {
         let elapsed = time - self.begun;
         let speed = self.speed + self.gravity * elapsed;
         let largest = self.distance + speed * (1.0 + elapsed) + self.gravity;
-        // Nothing is ever of a higher power than a discriminant; a thousand is more than its factors.
+        // Nothing is ever of a higher power than a discriminant, and a thousand is more than its factors and the
+        // roundings of any number of bounces.
         let square = 1000.0 * largest * largest;
         R::from_f64(square).is_finite() && square.is_finite()
     }

@@ -11,8 +11,8 @@ use crate::vectors::{lend, split};
 use crate::world::{Column, Plan, State, Storage, View};
 use crate::{Real, lanes};
 
-/// The last event of every particle in free flight, and the next one: 10 reals and 12 bytes a particle, and 8 bytes
-/// a block of them.
+/// The last event of every particle in free flight, and the next one: 10 reals and 20 bytes a particle, or 12 where
+/// columns may be of different lengths, as on a heap.
 ///
 /// A state at any time is worked out from the last event at once, so it does not depend on the times asked for before.
 pub struct Flights<R: Real, M: Storage> {
