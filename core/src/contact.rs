@@ -51,7 +51,7 @@ pub fn resting<R: Real>(velocity: [R; 3]) -> R {
 /// Whether a particle lies on a plane, or beyond it, without moving away from it or into it.
 #[inline(always)]
 pub fn lies_on<R: Real>(plane: &Plane<R>, position: [R; 3], velocity: [R; 3]) -> bool {
-    plane.gap(position) <= touching(plane, position) && dot(plane.normal, velocity).abs() <= resting(velocity)
+    (plane.gap(position) <= touching(plane, position)) & (dot(plane.normal, velocity).abs() <= resting(velocity))
 }
 
 /// The planes that hold a particle up against the acceleration a: those that it lies on and that a presses it

@@ -28,7 +28,7 @@ pub struct Flight<R> {
 }
 
 /// What happened on the way.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Bounces {
     /// How many.
     pub hits: u32,
@@ -45,6 +45,10 @@ pub struct Path<'a, R> {
     pub gravity: [R; 3],
     /// β
     pub curvature: R,
+}
+
+impl Bounces {
+    pub const NONE: Self = Self { hits: 0, capped: false, lost: 0.0 };
 }
 
 impl<R: Real> Flight<R> {
@@ -82,24 +86,27 @@ impl<R: Real> Flight<R> {
 pub fn first_contact<R: Real>(c: R, v: R, b: R) -> Option<R> {
     let two = R::from_f64(2.0);
     let discriminant = v * v - R::from_f64(4.0) * b * c;
-    if discriminant < R::ZERO {
-        return None;
-    }
     let root = discriminant.sqrt();
-    if v < R::ZERO {
-        return Some(two * c / (root - v));
-    }
-    (b < R::ZERO).then(|| (v + root) / (-two * b))
+    // One division, and nothing that is skipped: loops over many particles vectorise.
+    let comes = v < R::ZERO;
+    let (over, under) = if comes { (two * c, root - v) } else { (v + root, -two * b) };
+    let tau = over / under;
+    ((discriminant >= R::ZERO) & (comes | (b < R::ZERO))).then_some(tau)
 }
 
 impl<'a, R: Real> Path<'a, R> {
     /// The path of a particle in free flight; a held one moves uniformly, through planes too.
     pub fn of(system: &System<'a, R>, slot: u32, curvature: R) -> Self {
         if system.is_dynamic(slot) {
-            Self { planes: system.planes, gravity: system.gravity, curvature }
+            Self::of_dynamic(system, curvature)
         } else {
             Self { planes: &[], gravity: [R::ZERO; 3], curvature }
         }
+    }
+
+    /// The path of a particle that is not held, as is every one that has something due: held ones meet no planes.
+    pub fn of_dynamic(system: &System<'a, R>, curvature: R) -> Self {
+        Self { planes: system.planes, gravity: system.gravity, curvature }
     }
 
     /// What the planes that it lies on leave of gravity.
@@ -109,7 +116,7 @@ impl<'a, R: Real> Path<'a, R> {
 
     /// Flies for `duration` (s), bouncing.
     pub fn fly(&self, flight: &mut Flight<R>, duration: R) -> Bounces {
-        let mut bounces = Bounces::default();
+        let mut bounces = Bounces::NONE;
         let mut rest = duration;
         while bounces.hits < MOST_BOUNCES {
             bounces.lost += self.calm(flight);
@@ -179,16 +186,12 @@ impl<'a, R: Real> Path<'a, R> {
         let gap = plane.gap(flight.position);
         let speed = dot(plane.normal, flight.velocity);
         let pull = dot(plane.normal, a);
-        if gap <= touching(plane, flight.position) {
-            if speed < -resting(flight.velocity) {
-                return Some(R::ZERO);
-            }
-            // What lies on the plane, or slides along it, was held up there already: only a throw brings it back.
-            if speed <= resting(flight.velocity) {
-                return None;
-            }
-        }
-        first_contact(gap.at_least(R::ZERO), speed, self.curvature * pull)
+        let still = resting(flight.velocity);
+        let touches = gap <= touching(plane, flight.position);
+        let contact = first_contact(gap.at_least(R::ZERO), speed, self.curvature * pull);
+        // What lies on the plane, or slides along it, was held up there already: only a throw brings it back.
+        let lies = touches & (speed <= still);
+        if touches & (speed < -still) { Some(R::ZERO) } else { contact.filter(|_| !lies) }
     }
 
     /// The speed of the impact after τ, and the particle there: on the plane, unless it started beyond it by more than
@@ -235,7 +238,7 @@ impl<'a, R: Real> Path<'a, R> {
         let rise = if plane.restitution < R::ONE { reach } else { least };
         // In a corner it may be the other planes, not gravity, that press it against this one.
         let still = speed.abs() <= shortest * size(self.gravity);
-        plane.gap(flight.position) <= reach && (still || speed * speed <= R::from_f64(2.0) * press * rise)
+        (plane.gap(flight.position) <= reach) & (still | (speed * speed <= R::from_f64(2.0) * press * rise))
     }
 
     /// How long the bounces after an impact of this speed go on: 2 e u/(|g_n| (1 − e)); nothing if they never end.

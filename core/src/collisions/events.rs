@@ -1,17 +1,15 @@
 //! The last event of each particle in free flight, and the next one: an impact, or the end of all impacts.
 
 use super::bounce::{Bounces, Flight, MOST_BOUNCES, Path, half_square};
+use super::due::BLOCK;
 use crate::Real;
-use crate::vectors::{ColumnsMut, at, dot, fetch, put, read, store};
+use crate::vectors::{ColumnsMut, at, cut_mut, dot, fetch, lend, put, read, store};
 use crate::world::{System, View};
 
 /// Bounces that would all end within this time, in s, are summed when the first of them comes. The sum is exact at
 /// any value; this one decides only when it is taken, and does not depend on the times that are asked for, so that
 /// neither do the results.
 pub const SETTLING_TIME: f64 = 1e-3;
-
-/// No bounce to come.
-const NEVER: f64 = f64::INFINITY;
 
 /// Marks the plane on which a particle comes to rest at its next event.
 pub const SETTLES: u32 = 1 << 31;
@@ -24,26 +22,65 @@ pub struct Events<'a, R> {
     pub velocity: ColumnsMut<'a, R>,
     /// From then on, m/s²: what planes that it lies on leave of gravity.
     pub acceleration: ColumnsMut<'a, R>,
+    /// Along which axes that is gravity's for every particle: nobody need read it.
+    pub uniform: &'a mut [bool; 3],
     /// When the last event was, s.
     pub since: &'a mut [f64],
-    /// How long after that the next one will be, s.
-    pub tau: &'a mut [f64],
-    /// From when on the three above do not tell its state any more, s.
-    pub due: &'a mut [f64],
+    /// How long after that the next one will be, s; infinite if there is none, and with its sign changed for a particle
+    /// that [`SETTLES`] then: it bounces all the time until then.
+    pub tau: &'a mut [R],
     /// The plane of the next event; with [`SETTLES`] added, that on which it comes to rest then.
     pub plane: &'a mut [u32],
+    /// Of each block of particles, when the first is due, s.
+    pub earliest: &'a mut [f64],
 }
 
 impl<R: Real> Events<'_, R> {
     /// All flights begin from the current state, at the time `now`.
     pub fn begin(&mut self, view: &View<'_, R>, now: f64) {
+        *self.uniform = [true; 3];
         for index in 0..view.system.plan.free() {
             let slot = view.system.plan.attached + index;
             let flight = Flight {
                 position: fetch(read(&view.current.position), slot),
                 velocity: fetch(read(&view.current.velocity), slot),
             };
-            self.set(&Path::of(&view.system, slot, half()), index, flight, now);
+            self.set(&view.system, &Path::of(&view.system, slot, half()), index, flight, now);
+        }
+        // Each block is looked at before the next state is written.
+        self.earliest.fill(now);
+    }
+
+    /// The same columns, lent to one loop: here the compiler knows that they are of one length, and that nothing else
+    /// changes where they are.
+    #[inline(always)]
+    pub fn lend(&mut self) -> Option<Events<'_, R>> {
+        let all = 0..self.plane.len() as u32;
+        let items = 0..self.plane.len();
+        Some(Events {
+            position: cut_mut(lend(&mut self.position), all.clone())?,
+            velocity: cut_mut(lend(&mut self.velocity), all.clone())?,
+            acceleration: cut_mut(lend(&mut self.acceleration), all)?,
+            uniform: self.uniform,
+            since: self.since.get_mut(items.clone())?,
+            tau: self.tau.get_mut(items.clone())?,
+            plane: self.plane.get_mut(items)?,
+            earliest: self.earliest,
+        })
+    }
+
+    /// From when on the columns above do not tell a particle's state any more, s.
+    #[inline(always)]
+    pub fn due(&self, index: u32) -> f64 {
+        at(self.since, index) + at(self.tau, index).to_f64()
+    }
+
+    /// Has a particle count for when the first of its block is due.
+    #[inline(always)]
+    pub fn expect(&mut self, index: u32) {
+        let due = self.due(index);
+        if let Some(earliest) = self.earliest.get_mut(index as usize / BLOCK) {
+            *earliest = earliest.at_most(due);
         }
     }
 
@@ -51,17 +88,17 @@ impl<R: Real> Events<'_, R> {
     // One copy of it serves all lanes.
     #[inline(never)]
     pub fn pass_until(&mut self, system: &System<'_, R>, index: u32, time: f64, bounces: &mut Bounces) {
-        let path = Path::of(system, system.plan.attached + index, half());
-        while at(self.since, index) + at(self.tau, index) <= time {
+        let path = Path::of_dynamic(system, half());
+        while at(self.since, index) + at(self.tau, index).abs().to_f64() <= time {
             if bounces.hits == MOST_BOUNCES {
                 bounces.capped = true;
                 let mut stopped = self.last(index);
                 bounces.lost += path.stop(&mut stopped);
                 // It stays there until then: nobody has looked what it would meet on the way.
-                self.set(&path, index, stopped, time);
+                self.set(system, &path, index, stopped, time);
                 break;
             }
-            self.pass_event(&path, index, bounces);
+            self.pass_event(system, &path, index, bounces);
         }
     }
 
@@ -71,29 +108,36 @@ impl<R: Real> Events<'_, R> {
         if at(self.plane, index) & SETTLES == 0 {
             return None;
         }
-        let path = Path::of(system, system.plan.attached + index, half());
+        let path = Path::of_dynamic(system, half());
         let mut flight = self.last(index);
         let later = path.fly(&mut flight, R::from_f64(time - at(self.since, index)));
         Some((flight, later.lost))
     }
 
     /// Records an event, and finds the next one.
-    fn set(&mut self, path: &Path<'_, R>, index: u32, flight: Flight<R>, now: f64) {
+    fn set(&mut self, system: &System<'_, R>, path: &Path<'_, R>, index: u32, flight: Flight<R>, now: f64) {
         let a = path.acceleration(&flight);
-        let next = path.next_hit(&flight, a).map(|(tau, _, plane)| (tau, plane));
-        self.record(index, flight, a, now, next);
+        let (tau, plane) = path.next_hit(&flight, a).map_or((R::INFINITY, 0), |(tau, _, plane)| (tau, plane));
+        self.set_acceleration(index, a, system.gravity);
+        self.record(index, flight, now, tau, plane);
     }
 
-    /// Records an event, and the next one: how long after it, and on which plane.
+    fn set_acceleration(&mut self, index: u32, a: [R; 3], gravity: [R; 3]) {
+        let columns = self.acceleration.iter_mut().zip(self.uniform.iter_mut());
+        for ((column, uniform), (a, gravity)) in columns.zip(a.into_iter().zip(gravity)) {
+            // 0 and −0 are the same one here, whether it is read or not.
+            put(column, index, if a == gravity { gravity } else { a });
+            *uniform &= a == gravity;
+        }
+    }
+
+    /// Records an event but for the acceleration after it, and the next one: how long after it, and on which plane.
     #[inline(always)]
-    pub fn record(&mut self, index: u32, flight: Flight<R>, a: [R; 3], now: f64, next: Option<(R, u32)>) {
+    pub fn record(&mut self, index: u32, flight: Flight<R>, now: f64, tau: R, plane: u32) {
         store(&mut self.position, index, flight.position);
         store(&mut self.velocity, index, flight.velocity);
-        store(&mut self.acceleration, index, a);
         put(self.since, index, now);
-        let (tau, plane) = next.map_or((NEVER, 0), |(tau, plane)| (tau.to_f64(), plane));
         put(self.tau, index, tau);
-        put(self.due, index, now + tau);
         put(self.plane, index, plane);
     }
 
@@ -103,16 +147,14 @@ impl<R: Real> Events<'_, R> {
     }
 
     /// The next event becomes the last one.
-    fn pass_event(&mut self, path: &Path<'_, R>, index: u32, bounces: &mut Bounces) {
+    fn pass_event(&mut self, system: &System<'_, R>, path: &Path<'_, R>, index: u32, bounces: &mut Bounces) {
         // Not the difference of two times: late in a long run those are known less well than the flight between them.
-        let tau = at(self.tau, index);
-        let elapsed = R::from_f64(tau);
-        let until = at(self.since, index) + tau;
+        let elapsed = at(self.tau, index).abs();
+        let until = at(self.since, index) + elapsed.to_f64();
         let mut flight = self.last(index);
         let named = at(self.plane, index);
         let Some(plane) = path.planes.get((named & !SETTLES) as usize) else {
-            put(self.tau, index, NEVER);
-            put(self.due, index, NEVER);
+            put(self.tau, index, R::INFINITY);
             return;
         };
         if named & SETTLES != 0 {
@@ -120,7 +162,7 @@ impl<R: Real> Events<'_, R> {
             bounces.lost += half_square(speed);
             path.settle(&mut flight, plane, elapsed);
             bounces.lost += path.calm(&mut flight);
-            self.set(path, index, flight, until);
+            self.set(system, path, index, flight, until);
             return;
         }
         let (speed, impact) = path.impact(&flight, elapsed, plane, fetch(read(&self.acceleration), index));
@@ -133,12 +175,10 @@ impl<R: Real> Events<'_, R> {
         let settling = path
             .settling_time(plane, speed)
             .filter(|settling| settling.to_f64() <= SETTLING_TIME && path.is_alone(&flight, plane, *settling));
-        self.set(path, index, flight, until);
+        self.set(system, path, index, flight, until);
         if let Some(settling) = settling {
-            put(self.tau, index, settling.to_f64());
+            put(self.tau, index, -settling);
             put(self.plane, index, named | SETTLES);
-            // It bounces all the time until then.
-            put(self.due, index, until);
         }
     }
 }

@@ -1,24 +1,31 @@
 //! Particles that no spring pulls at, flown exactly from plane to plane: no stepping between the times that are asked
 //! for and the bounces there are.
 
+use super::coast::coast;
+use super::due::BLOCK;
 use super::events::Events;
-use super::fly::Fly;
+use super::extent::Extent;
+use super::pass::{Pass, settle};
 use crate::types::{Full, StepReport};
 use crate::vectors::{lend, split};
 use crate::world::{Column, Plan, State, Storage, View};
 use crate::{Real, lanes};
 
-/// The last event of every particle in free flight, and the next one: 9 reals and 28 bytes a particle.
+/// The last event of every particle in free flight, and the next one: 10 reals and 20 bytes a particle, or 12 where
+/// columns may be of different lengths, as on a heap.
 ///
 /// A state at any time is worked out from the last event at once, so it does not depend on the times asked for before.
 pub struct Flights<R: Real, M: Storage> {
     position: [M::Particles<R>; 3],
     velocity: [M::Particles<R>; 3],
     acceleration: [M::Particles<R>; 3],
+    uniform: [bool; 3],
     since: M::Particles<f64>,
-    tau: M::Particles<f64>,
-    due: M::Particles<f64>,
+    tau: M::Particles<R>,
     plane: M::Particles<u32>,
+    earliest: M::Particles<f64>,
+    /// How far they can have come.
+    extent: Extent,
     /// The state that they were flown to last: its time, and how often it had been changed from outside.
     belongs: (f64, u64),
     /// The kinetic energy lost up to the last events, J.
@@ -39,10 +46,12 @@ impl<R: Real, M: Storage> Flights<R, M> {
             position: [const { Column::EMPTY }; 3],
             velocity: [const { Column::EMPTY }; 3],
             acceleration: [const { Column::EMPTY }; 3],
+            uniform: [true; 3],
             since: Column::EMPTY,
             tau: Column::EMPTY,
-            due: Column::EMPTY,
             plane: Column::EMPTY,
+            earliest: Column::EMPTY,
+            extent: Extent::UNKNOWN,
             belongs: (f64::NAN, 0),
             lost: 0.0,
             told: 0.0,
@@ -57,8 +66,8 @@ impl<R: Real, M: Storage> Flights<R, M> {
         reals.into_iter().try_for_each(|column| column.fit(free))?;
         self.since.fit(free)?;
         self.tau.fit(free)?;
-        self.due.fit(free)?;
-        self.plane.fit(free)
+        self.plane.fit(free)?;
+        self.earliest.fit(free.div_ceil(BLOCK))
     }
 
     /// Writes the states at the end of the step to the view's next state, given that its current state, as far as
@@ -98,6 +107,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
     /// All flights begin anew from the current state, at the time `now`.
     fn begin(&mut self, view: &View<'_, R>, now: f64) {
         self.events().begin(view, now);
+        self.extent = Extent::of(view, now);
         (self.lost, self.told) = (0.0, 0.0);
         self.unreported = [0; 2];
     }
@@ -105,19 +115,22 @@ impl<R: Real, M: Storage> Flights<R, M> {
     /// Writes the states at a time, and returns the energy lost since the last events before it.
     fn write(&mut self, view: &mut View<'_, R>, time: f64) -> f64 {
         self.latest = time;
-        let attached = view.system.plan.attached;
+        let system = &view.system;
         let State { position, velocity } = &mut view.next;
-        let ((_, position), (_, velocity)) = (split(lend(position), attached), split(lend(velocity), attached));
-        let flown = lanes::run(
-            view.system.lanes,
-            Fly { system: &view.system, time, events: self.events(), next: State { position, velocity } },
-        );
-        view.is_next_finite = flown.finite;
+        let mut next = State {
+            position: split(lend(position), system.plan.attached).1,
+            velocity: split(lend(velocity), system.plan.attached).1,
+        };
+        let passed = lanes::run(system.lanes, Pass { system, time, events: self.events() });
+        let events = self.events();
+        coast(system, &events, time, State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) });
+        let pending = settle(system, &events, time, &mut next);
+        view.is_next_finite = self.extent.is_finite_at::<R>(time);
         let [hits, capped] = &mut self.unreported;
-        *hits = hits.saturating_add(flown.hits);
-        *capped = capped.saturating_add(flown.capped);
-        self.lost += flown.lost;
-        flown.pending
+        *hits = hits.saturating_add(passed.hits);
+        *capped = capped.saturating_add(passed.capped);
+        self.lost += passed.lost;
+        pending
     }
 
     fn events(&mut self) -> Events<'_, R> {
@@ -125,10 +138,11 @@ impl<R: Real, M: Storage> Flights<R, M> {
             position: self.position.each_mut().map(Column::items_mut),
             velocity: self.velocity.each_mut().map(Column::items_mut),
             acceleration: self.acceleration.each_mut().map(Column::items_mut),
+            uniform: &mut self.uniform,
             since: self.since.items_mut(),
             tau: self.tau.items_mut(),
-            due: self.due.items_mut(),
             plane: self.plane.items_mut(),
+            earliest: self.earliest.items_mut(),
         }
     }
 }

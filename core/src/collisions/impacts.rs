@@ -1,83 +1,123 @@
 //! Impacts of many particles at once, where each bounces on one plane and flies on, which is what nearly all do.
 
-use super::bounce::{Bounces, Flight, MOST_BOUNCES, Path, half_square};
-use super::events::{Events, SETTLES, SETTLING_TIME, half};
+use super::bounce::{Flight, MOST_BOUNCES, Path, half_square};
+use super::events::{SETTLES, SETTLING_TIME};
 use crate::Real;
 use crate::contact::lies_on;
 use crate::types::Plane;
-use crate::vectors::{ColumnsMut, at, dot, fetch, put, read, store};
-use crate::world::System;
+use crate::vectors::{at, dot, put};
 
 /// Particles that are dealt with at once: a vector or two of them.
 pub const TOGETHER: usize = 16;
 
-/// No plane.
-const NONE: u32 = u32::MAX;
+/// Their numbers.
+const LANES: core::ops::Range<u32> = 0..TOGETHER as u32;
 
-/// One event of each of so many particles.
-struct Impacts<R> {
-    position: [[R; TOGETHER]; 3],
-    velocity: [[R; TOGETHER]; 3],
-    acceleration: [[R; TOGETHER]; 3],
-    tau: [R; TOGETHER],
-    normal: [[R; TOGETHER]; 3],
-    offset: [R; TOGETHER],
-    restitution: [R; TOGETHER],
-    /// Of the impact, m/s.
-    speed: [R; TOGETHER],
-    /// How long the bounces after it go on, s.
-    settling: [R; TOGETHER],
-    /// 1 if it is pressed against a plane that it does not leave.
-    held: [u32; TOGETHER],
-    /// The next plane, or [`NONE`].
-    next: [u32; TOGETHER],
-}
+pub type Lane<T> = [T; TOGETHER];
 
-fn columns<R>(columns: &mut [[R; TOGETHER]; 3]) -> ColumnsMut<'_, R> {
-    columns.each_mut().map(<[R; TOGETHER]>::as_mut_slice)
-}
+/// Three columns of so many.
+#[derive(Clone, Copy)]
+pub struct Vectors<R>(pub [Lane<R>; 3]);
 
-impl<R: Real> Impacts<R> {
-    const NOWHERE: Self = Self {
-        position: [[R::ZERO; TOGETHER]; 3],
-        velocity: [[R::ZERO; TOGETHER]; 3],
-        acceleration: [[R::ZERO; TOGETHER]; 3],
-        tau: [R::ZERO; TOGETHER],
-        normal: [[R::ZERO; TOGETHER]; 3],
-        offset: [R::ZERO; TOGETHER],
-        restitution: [R::ZERO; TOGETHER],
-        speed: [R::ZERO; TOGETHER],
-        settling: [R::ZERO; TOGETHER],
-        held: [0; TOGETHER],
-        next: [NONE; TOGETHER],
-    };
+impl<R: Real> Vectors<R> {
+    const ZERO: Self = Self([[R::ZERO; TOGETHER]; 3]);
 
     #[inline(always)]
-    fn flight(&self, lane: u32) -> Flight<R> {
-        let of = |[x, y, z]: &[[R; TOGETHER]; 3]| [at(x, lane), at(y, lane), at(z, lane)];
-        Flight { position: of(&self.position), velocity: of(&self.velocity) }
+    pub fn at(&self, lane: u32) -> [R; 3] {
+        let Self([x, y, z]) = self;
+        [at(x, lane), at(y, lane), at(z, lane)]
     }
 
     #[inline(always)]
-    fn set_flight(&mut self, lane: u32, flight: Flight<R>) {
-        store(&mut columns(&mut self.position), lane, flight.position);
-        store(&mut columns(&mut self.velocity), lane, flight.velocity);
+    pub fn put(&mut self, lane: u32, vector: [R; 3]) {
+        for (column, component) in self.0.iter_mut().zip(vector) {
+            put(column, lane, component);
+        }
+    }
+
+    #[inline(always)]
+    fn take(&mut self, new: &Self, wanted: &Lane<bool>) {
+        for (old, new) in self.0.iter_mut().zip(&new.0) {
+            take(old, new, wanted);
+        }
+    }
+}
+
+/// Particles, each followed from event to event for as long as it simply bounces.
+pub struct Impacts<R> {
+    /// As in [`Events`](super::events::Events): the last event of each, and the next one.
+    pub position: Vectors<R>,
+    pub velocity: Vectors<R>,
+    pub acceleration: Vectors<R>,
+    pub since: Lane<f64>,
+    pub tau: Lane<R>,
+    pub plane: Lane<u32>,
+    /// The plane of the next event.
+    normal: Vectors<R>,
+    offset: Lane<R>,
+    restitution: Lane<R>,
+    /// What has happened to it since it was listed.
+    pub hits: Lane<u32>,
+    pub lost: Lane<f64>,
+    /// After the next event.
+    landed: Vectors<R>,
+    leaves: Vectors<R>,
+    /// Of the impact, m/s.
+    speed: Lane<R>,
+    /// How long the bounces after it go on, s.
+    settling: Lane<R>,
+    /// 1 if it is pressed against a plane that it does not leave.
+    held: Lane<u32>,
+    /// The event after the next one: how long after it, or infinite, and the plane.
+    then: Lane<R>,
+    next: Lane<u32>,
+}
+
+impl<R: Real> Impacts<R> {
+    pub const NOWHERE: Self = Self {
+        position: Vectors::ZERO,
+        velocity: Vectors::ZERO,
+        acceleration: Vectors::ZERO,
+        since: [0.0; TOGETHER],
+        tau: [R::ZERO; TOGETHER],
+        plane: [0; TOGETHER],
+        normal: Vectors::ZERO,
+        offset: [R::ZERO; TOGETHER],
+        restitution: [R::ZERO; TOGETHER],
+        hits: [0; TOGETHER],
+        lost: [0.0; TOGETHER],
+        landed: Vectors::ZERO,
+        leaves: Vectors::ZERO,
+        speed: [R::ZERO; TOGETHER],
+        settling: [R::ZERO; TOGETHER],
+        held: [0; TOGETHER],
+        then: [R::ZERO; TOGETHER],
+        next: [0; TOGETHER],
+    };
+
+    #[inline(always)]
+    pub fn set_plane(&mut self, lane: u32, plane: Option<&Plane<R>>) {
+        if let Some(plane) = plane {
+            self.normal.put(lane, plane.normal);
+            put(&mut self.offset, lane, plane.offset);
+            put(&mut self.restitution, lane, plane.restitution);
+        }
     }
 
     /// Bounces each on its plane.
     #[inline(always)]
-    fn bounce(&mut self, path: &Path<'_, R>) {
-        for lane in 0..TOGETHER as u32 {
-            let of = |[x, y, z]: &[[R; TOGETHER]; 3]| [at(x, lane), at(y, lane), at(z, lane)];
+    pub fn bounce(&mut self, path: &Path<'_, R>) {
+        for lane in LANES {
             let plane = Plane {
-                normal: of(&self.normal),
+                normal: self.normal.at(lane),
                 offset: at(&self.offset, lane),
                 restitution: at(&self.restitution, lane),
             };
-            let tau = at(&self.tau, lane);
-            let (speed, mut flight) = path.impact(&self.flight(lane), tau, &plane, of(&self.acceleration));
+            let flight = Flight { position: self.position.at(lane), velocity: self.velocity.at(lane) };
+            let (speed, mut flight) = path.impact(&flight, at(&self.tau, lane), &plane, self.acceleration.at(lane));
             flight.put_on(&plane, plane.restitution * speed);
-            self.set_flight(lane, flight);
+            self.landed.put(lane, flight.position);
+            self.leaves.put(lane, flight.velocity);
             put(&mut self.speed, lane, speed);
             put(&mut self.settling, lane, path.settling_time(&plane, speed).unwrap_or(R::INFINITY));
         }
@@ -85,103 +125,69 @@ impl<R: Real> Impacts<R> {
 
     /// Finds what each meets next if no plane holds it, and whether one does.
     #[inline(always)]
-    fn look_on(&mut self, path: &Path<'_, R>) {
+    pub fn look_on(&mut self, path: &Path<'_, R>) {
         self.held = [0; TOGETHER];
-        self.next = [NONE; TOGETHER];
-        self.tau = [R::INFINITY; TOGETHER];
+        self.next = [0; TOGETHER];
+        self.then = [R::INFINITY; TOGETHER];
         for (number, plane) in (0..).zip(path.planes) {
+            let plane = *plane;
             let presses = dot(plane.normal, path.gravity) < R::ZERO;
-            for lane in 0..TOGETHER as u32 {
-                let flight = self.flight(lane);
-                let held = path.calms(plane, &flight) | lies_on(plane, flight.position, flight.velocity);
+            for lane in LANES {
+                let flight = Flight { position: self.landed.at(lane), velocity: self.leaves.at(lane) };
+                let held = path.calms(&plane, &flight) | lies_on(&plane, flight.position, flight.velocity);
                 let before = at(&self.held, lane);
                 put(&mut self.held, lane, before | u32::from(presses & held));
-                let (earliest, next) = (at(&self.tau, lane), at(&self.next, lane));
-                if let Some(tau) = path.time_to(plane, &flight, path.gravity)
-                    && (next == NONE || tau < earliest)
-                {
-                    put(&mut self.tau, lane, tau);
-                    put(&mut self.next, lane, number);
-                }
+                let (earliest, next) = (at(&self.then, lane), at(&self.next, lane));
+                let tau = path.time_to(&plane, &flight, path.gravity).unwrap_or(R::INFINITY);
+                put(&mut self.then, lane, if tau < earliest { tau } else { earliest });
+                put(&mut self.next, lane, if tau < earliest { number } else { next });
             }
         }
+    }
+
+    /// The next event becomes the last one of those that simply bounce, or on a single plane begin to come to rest.
+    /// Returns a bit for each that has another one due by `time` that can be dealt with here.
+    #[inline(always)]
+    pub fn advance(&mut self, path: &Path<'_, R>, uniform: [bool; 3], time: f64) -> u32 {
+        let is_only_plane = path.planes.len() == 1;
+        let mut bounced = [false; TOGETHER];
+        let mut more = [0; TOGETHER];
+        for lane in LANES {
+            let settling = at(&self.settling, lane);
+            let settles = settling.to_f64() <= SETTLING_TIME;
+            let bounces = (at(&self.held, lane) == 0) & (!settles | is_only_plane);
+            let (hits, since, tau) = (at(&self.hits, lane), at(&self.since, lane), at(&self.tau, lane));
+            let speed = at(&self.speed, lane);
+            let lost = half_square(speed) - half_square(at(&self.restitution, lane) * speed);
+            let before = at(&self.lost, lane);
+            let until = since + tau.to_f64();
+            let then = if settles { -settling } else { at(&self.then, lane) };
+            let (plane, next) = (at(&self.plane, lane), at(&self.next, lane));
+            let next = if settles { plane | SETTLES } else { next };
+            put(&mut self.hits, lane, hits + u32::from(bounces));
+            put(&mut self.lost, lane, if bounces { before + lost } else { before });
+            put(&mut self.since, lane, if bounces { until } else { since });
+            put(&mut self.tau, lane, if bounces { then } else { tau });
+            put(&mut self.plane, lane, if bounces { next } else { plane });
+            let is_next = bounces & !settles & (until + then.to_f64() <= time) & (hits + 1 < MOST_BOUNCES);
+            put(&mut more, lane, if is_next { 1_u32 << lane } else { 0 });
+            put(&mut bounced, lane, bounces);
+        }
+        self.position.take(&self.landed, &bounced);
+        self.velocity.take(&self.leaves, &bounced);
+        for ((a, gravity), uniform) in self.acceleration.0.iter_mut().zip(path.gravity).zip(uniform) {
+            if !uniform {
+                take(a, &[gravity; TOGETHER], &bounced);
+            }
+        }
+        more.iter().fold(0, |all, bit| all | bit)
     }
 }
 
-impl<R: Real> Events<'_, R> {
-    /// Passes the events of some particles up to a time, as [`Events::pass_until`] does to the bit, until one comes that
-    /// is not simply a bounce.
-    #[inline(always)]
-    pub fn pass_together(&mut self, system: &System<'_, R>, particles: &[u32], time: f64, bounces: &mut [Bounces]) {
-        // Held particles meet no planes: nothing of theirs is ever due.
-        let path = Path { planes: system.planes, gravity: system.gravity, curvature: half() };
-        let mut impacts = Impacts::<R>::NOWHERE;
-        // Which of the particles are being dealt with; where one has nothing due any more, the next takes its place.
-        let mut due = [0; TOGETHER];
-        let mut left = 0;
-        let mut waiting = 0..particles.len() as u32;
-        loop {
-            for (place, number) in due.iter_mut().skip(left as usize).zip(&mut waiting) {
-                *place = number;
-                left += 1;
-            }
-            if left == 0 {
-                break;
-            }
-            for (lane, number) in (0..left).zip(due) {
-                self.gather(&path, at(particles, number), &mut impacts, lane);
-            }
-            impacts.bounce(&path);
-            impacts.look_on(&path);
-            let mut still = 0;
-            for (lane, number) in (0..left).zip(due) {
-                let index = at(particles, number);
-                let Some(bounces) = bounces.get_mut(number as usize) else { continue };
-                if self.scatter(&path, index, &impacts, lane, bounces)
-                    && at(self.due, index) <= time
-                    && bounces.hits < MOST_BOUNCES
-                {
-                    put(&mut due, still, number);
-                    still += 1;
-                }
-            }
-            left = still;
-        }
-    }
-
-    #[inline(always)]
-    fn gather(&self, path: &Path<'_, R>, index: u32, impacts: &mut Impacts<R>, lane: u32) {
-        impacts.set_flight(lane, self.last(index));
-        store(&mut columns(&mut impacts.acceleration), lane, fetch(read(&self.acceleration), index));
-        put(&mut impacts.tau, lane, R::from_f64(at(self.tau, index)));
-        if let Some(plane) = path.planes.get(at(self.plane, index) as usize) {
-            store(&mut columns(&mut impacts.normal), lane, plane.normal);
-            put(&mut impacts.offset, lane, plane.offset);
-            put(&mut impacts.restitution, lane, plane.restitution);
-        }
-    }
-
-    /// Records what came of a particle; false, and nothing, if it did not simply bounce.
-    #[inline(always)]
-    fn scatter(
-        &mut self,
-        path: &Path<'_, R>,
-        index: u32,
-        impacts: &Impacts<R>,
-        lane: u32,
-        bounces: &mut Bounces,
-    ) -> bool {
-        let comes_to_rest = at(&impacts.held, lane) > 0 || at(&impacts.settling, lane).to_f64() <= SETTLING_TIME;
-        if comes_to_rest || at(self.plane, index) & SETTLES != 0 {
-            return false;
-        }
-        let speed = at(&impacts.speed, lane);
-        bounces.hits += 1;
-        bounces.lost += half_square(speed) - half_square(at(&impacts.restitution, lane) * speed);
-        let until = at(self.since, index) + at(self.tau, index);
-        let next = at(&impacts.next, lane);
-        let next = (next != NONE).then(|| (at(&impacts.tau, lane), next));
-        self.record(index, impacts.flight(lane), path.gravity, until, next);
-        true
+/// Takes new values where they are wanted.
+#[inline(always)]
+fn take<R: Real>(old: &mut Lane<R>, new: &Lane<R>, wanted: &Lane<bool>) {
+    for ((old, new), wanted) in old.iter_mut().zip(new).zip(wanted) {
+        *old = if *wanted { *new } else { *old };
     }
 }

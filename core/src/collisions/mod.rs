@@ -1,14 +1,18 @@
 //! Collisions with planes, in three named forms, and flight from plane to plane.
 
 mod bounce;
+mod coast;
+mod due;
 mod events;
+mod extent;
 mod flights;
-mod fly;
 mod impacts;
+mod pass;
 mod project;
 mod reflect;
 mod stop;
 mod time_of_impact;
+mod together;
 
 pub use flights::Flights;
 pub use project::Project;

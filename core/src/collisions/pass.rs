@@ -1,0 +1,74 @@
+//! All events that particles in free flight have up to a time.
+
+use super::due::{BLOCK, Due};
+use super::events::Events;
+use crate::Real;
+use crate::lanes::Kernel;
+use crate::vectors::{at, store};
+use crate::world::{State, System};
+
+/// Passes all that is due.
+pub struct Pass<'a, R: Real> {
+    pub system: &'a System<'a, R>,
+    /// s
+    pub time: f64,
+    /// Up to then, once this has run.
+    pub events: Events<'a, R>,
+}
+
+/// What happened on the way.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Passed {
+    /// The kinetic energy lost, J.
+    pub lost: f64,
+    /// Bounces.
+    pub hits: u32,
+    /// Particles that had too many of them.
+    pub capped: u32,
+}
+
+impl<R: Real> Kernel for Pass<'_, R> {
+    type Output = Passed;
+
+    #[inline(always)]
+    fn run(mut self) -> Passed {
+        let mut passed = Passed::default();
+        let mut due = Due::NOTHING;
+        let mut block = 0;
+        while (block as usize) < self.events.earliest.len() {
+            block = due.list(&mut self.events, block, self.time);
+            self.events.pass_together(self.system, &mut due, self.time);
+            for (index, bounces) in due.each() {
+                if self.events.due(index) <= self.time {
+                    self.events.pass_until(self.system, index, self.time, bounces);
+                }
+            }
+            let Some(mut events) = self.events.lend() else { break };
+            for (index, bounces) in due.each() {
+                passed.lost += at(self.system.mass, self.system.plan.attached + index).to_f64() * bounces.lost;
+                passed.hits = passed.hits.saturating_add(bounces.hits);
+                passed.capped = passed.capped.saturating_add(u32::from(bounces.capped));
+                events.expect(index);
+            }
+        }
+        passed
+    }
+}
+
+/// Writes the states at a `time` of those particles that are about to come to rest: once all has been passed, nothing
+/// else is due still. Returns the kinetic energy lost since their last events, J.
+pub fn settle<R: Real>(system: &System<'_, R>, events: &Events<'_, R>, time: f64, next: &mut State<'_, R>) -> f64 {
+    let mut pending = 0.0;
+    for (block, earliest) in (0..).zip(&*events.earliest) {
+        if *earliest <= time {
+            let start = block * BLOCK as u32;
+            for index in start..start.saturating_add(BLOCK as u32).min(system.plan.free()) {
+                let Some((flight, lost)) = events.settling(system, index, time) else { continue };
+                store(&mut next.position, index, flight.position);
+                store(&mut next.velocity, index, flight.velocity);
+                pending += at(system.mass, system.plan.attached + index).to_f64() * lost;
+            }
+        }
+    }
+    pending
+}
