@@ -4,7 +4,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::Lanes;
+use crate::lanes::{self, Kernel, Lanes};
 use crate::vectors::{Columns, ColumnsMut, cut, lend, triples, triples_mut};
 use crate::world::System;
 
@@ -87,17 +87,31 @@ impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
     }
 
     /// Writes the accelerations in place of the forces from below.
-    #[inline(always)]
     pub fn write(mut self) -> Tile<'a, R, Known> {
-        for (below, acceleration) in triples_mut(lend(&mut self.below)).zip(self.rest.accelerations()) {
+        lanes::run(self.rest.lanes, Write { below: lend(&mut self.below), rest: self.rest });
+        let Rest { above, inverse_mass, gravity, lanes, .. } = self.rest;
+        let rest = Rest { above, inverse_mass, gravity, lanes, acceleration: Known };
+        Tile { slots: self.slots, below: self.below, rest }
+    }
+}
+
+/// Accelerations in place of forces from below.
+struct Write<'a, R, A> {
+    below: ColumnsMut<'a, R>,
+    rest: Rest<'a, R, A>,
+}
+
+impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, R, A> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations()) {
             let a = acceleration(below.each_ref().map(|component| **component));
             for (below, a) in below.into_iter().zip(a) {
                 *below = a;
             }
         }
-        let Rest { above, inverse_mass, gravity, lanes, .. } = self.rest;
-        let rest = Rest { above, inverse_mass, gravity, lanes, acceleration: Known };
-        Tile { slots: self.slots, below: self.below, rest }
     }
 }
 

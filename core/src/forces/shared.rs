@@ -5,7 +5,6 @@ use core::ops::Range;
 use super::tiles::{Accelerations, Outcome, Then};
 use super::window::{self, Window};
 use crate::Real;
-use crate::lanes;
 use crate::shared::Divisible;
 use crate::vectors::split;
 
@@ -34,7 +33,7 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
         if window::pays(plan.springs - plan.on_diagonals) {
             through_window(self)
         } else {
-            lanes::run(self.system.lanes, self)
+            self.go_through().unwrap_or_default()
         }
     }
 
@@ -47,5 +46,5 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
 #[inline(never)]
 fn through_window<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
     let mut window = Window::new();
-    lanes::run(work.system.lanes, Accelerations { window: Some(&mut window), ..work })
+    Accelerations { window: Some(&mut window), ..work }.go_through().unwrap_or_default()
 }

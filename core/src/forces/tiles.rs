@@ -8,7 +8,7 @@ use super::window::Window;
 use super::{diagonal, scattered};
 use crate::Real;
 use crate::contact::hold_up;
-use crate::lanes::{Kernel, Lanes};
+use crate::lanes::{self, Kernel, Lanes};
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
@@ -59,25 +59,10 @@ pub struct Outcome {
     pub finite: bool,
 }
 
-impl<R: Real, T: Then<R>> Kernel for Accelerations<'_, R, T> {
-    type Output = Outcome;
-
-    #[inline(always)]
-    fn run(self) -> Outcome {
-        self.go_through().unwrap_or_default()
-    }
-}
-
 impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
     /// Nothing if a column is too short.
-    #[inline(always)]
-    fn go_through(self) -> Option<Outcome> {
-        let Self { system, position, velocity, slots, out, mut then, window } = self;
-        // What nobody can have costs a program nothing.
-        let mut window = if cfg!(feature = "std") { window } else { None };
-        // With lengths that are known to be the same, a range is checked once for all columns.
-        let (position, velocity) = (cut(position, 0..system.plan.particles)?, cut(velocity, 0..system.plan.particles)?);
-        let mut out = cut_mut(out, 0..slots.end - slots.start)?;
+    pub fn go_through(self) -> Option<Outcome> {
+        let Self { system, position, velocity, slots, mut out, mut then, mut window } = self;
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
@@ -100,10 +85,9 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
                 below: lend(&mut out),
                 nowhere: nowhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
             };
-            let degenerate = match window.as_deref_mut() {
-                Some(window) if is_ours => add_windowed(system, &mut sweep, &tile, window, &mut forces)?,
-                _ => add_tile(system, &mut sweep, tile.end, &mut forces),
-            };
+            let window = window.as_deref_mut().filter(|_| is_ours);
+            let pull = Pull { system, sweep: &mut sweep, tile: tile.clone(), window, forces: &mut forces };
+            let degenerate = lanes::run(system.lanes, pull)?;
             if !is_ours {
                 // It lies before these slots: its springs were gone through for what they pull at in them.
                 continue;
@@ -133,6 +117,43 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
 #[inline(always)]
 fn within(slots: &Range<u32>, part: &Range<u32>) -> Range<u32> {
     part.start - slots.start..part.end - slots.start
+}
+
+/// Adds the forces of the springs that begin in a tile. Returns how many of them have length 0.
+///
+/// It is compiled for each set of instructions by itself, and not again for all that may follow.
+struct Pull<'a, 'b, 'c, R: Real> {
+    system: &'a System<'b, R>,
+    sweep: &'a mut Sweep<'b>,
+    tile: Range<u32>,
+    window: Option<&'a mut Window<R>>,
+    forces: &'a mut Forces<'c, R>,
+}
+
+impl<R: Real> Kernel for Pull<'_, '_, '_, R> {
+    type Output = Option<u32>;
+
+    #[inline(always)]
+    fn run(self) -> Option<u32> {
+        let Self { system, sweep, tile, window, forces } = self;
+        // With lengths that are known to be the same, a range is checked once for all columns.
+        let particles = 0..system.plan.particles;
+        let mut forces = Forces {
+            position: cut(forces.position, particles.clone())?,
+            velocity: cut(forces.velocity, particles)?,
+            lanes: forces.lanes,
+            start: forces.start,
+            above: cut_mut(lend(&mut forces.above), 0..TILE)?,
+            slots: forces.slots.clone(),
+            below: cut_mut(lend(&mut forces.below), 0..forces.slots.end - forces.slots.start)?,
+            nowhere: lend(&mut forces.nowhere),
+        };
+        match window {
+            // What nobody can have costs a program nothing.
+            Some(window) if cfg!(feature = "std") => add_windowed(system, sweep, &tile, window, &mut forces),
+            _ => Some(add_tile(system, sweep, tile.end, &mut forces)),
+        }
+    }
 }
 
 /// Adds the forces of the springs that begin in a tile, through the window if most of them lie on no diagonal and none
