@@ -150,7 +150,7 @@ pub fn window_mut<const COLUMNS: usize, T>(columns: [&mut [T]; COLUMNS], range: 
 /// that they are of one length.
 #[inline(always)]
 pub fn cut<const COLUMNS: usize, T>(columns: [&[T]; COLUMNS], range: Range<u32>) -> Option<[&[T]; COLUMNS]> {
-    let mut cut = [&[][..]; COLUMNS];
+    let mut cut = [<&[T]>::default(); COLUMNS];
     for (cut, column) in cut.iter_mut().zip(columns) {
         *cut = column.get(range.start as usize..range.end as usize)?;
     }

@@ -77,7 +77,7 @@ impl<R: Real> Events<'_, R> {
 
     /// Has a particle count for when the first of its block is due.
     #[inline(always)]
-    pub fn expect(&mut self, index: u32) {
+    pub fn foresee(&mut self, index: u32) {
         let due = self.due(index);
         if let Some(earliest) = self.earliest.get_mut(index as usize / BLOCK) {
             *earliest = earliest.at_most(due);

@@ -48,7 +48,7 @@ impl<R: Real> Kernel for Pass<'_, R> {
                 passed.lost += at(self.system.mass, self.system.plan.attached + index).to_f64() * bounces.lost;
                 passed.hits = passed.hits.saturating_add(bounces.hits);
                 passed.capped = passed.capped.saturating_add(u32::from(bounces.capped));
-                events.expect(index);
+                events.foresee(index);
             }
         }
         passed

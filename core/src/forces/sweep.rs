@@ -55,8 +55,8 @@ impl<'a> Sweep<'a> {
     pub fn is_mostly_scattered(&self, end: u32) -> bool {
         let pieces = self.pieces.iter().map(|words| Piece::from_words(*words)).take_while(|piece| piece.first < end);
         let in_pieces: u32 = pieces.map(|piece| piece.springs).sum();
-        let next = at(self.ends, self.spring.saturating_add(2 * in_pieces));
-        in_pieces == 0 || next != [0; 2] && next[0] < end
+        let middle = self.ends.get(self.spring.saturating_add(2 * in_pieces) as usize);
+        in_pieces == 0 || middle.is_some_and(|[i, _]| *i < end)
     }
 
     /// All the springs that begin before the slot `end`, in pieces or not.

@@ -97,8 +97,8 @@ impl<R: Real> Window<R> {
         for (ends, laws) in ends.zip(stiffness.zip(damping).zip(rest_length)) {
             for (d, [i, j]) in difference.iter_mut().zip(ends) {
                 let (from, to) = (held(&self.states, *i), held(&self.states, *j));
-                for (d, (from, to)) in d.iter_mut().zip(from.iter().zip(to)) {
-                    *d = *to - *from;
+                for (d, (from, to)) in d.iter_mut().zip(from.into_iter().zip(to)) {
+                    *d = to - from;
                 }
             }
             let ((stiffness, damping), rest_length) = laws;
@@ -113,10 +113,10 @@ impl<R: Real> Window<R> {
             }
             for (([x, y, z, rest, ..], q), [i, j]) in difference.iter().zip(&q).zip(ends) {
                 let force = [x, y, z, rest].map(|d| *q * *d);
-                for (sum, force) in held_mut(&mut self.above, *i).iter_mut().zip(force) {
+                for (sum, force) in held_mut(&mut self.above, *i).into_iter().flatten().zip(force) {
                     *sum += force;
                 }
-                for (sum, force) in held_mut(&mut self.below, *j).iter_mut().zip(force) {
+                for (sum, force) in held_mut(&mut self.below, *j).into_iter().flatten().zip(force) {
                     *sum -= force;
                 }
             }
@@ -163,18 +163,16 @@ fn places<'a, T, const PLACES: usize>(kept: &'a mut [T; PLACES], slots: &Range<u
     kept.get_mut(first..first + (slots.end - slots.start) as usize)
 }
 
-/// That of one slot.
+/// That of one slot: a remainder is always among them.
 #[inline(always)]
-fn held<T, const PLACES: usize>(kept: &[T; PLACES], slot: u32) -> &T {
-    #[allow(clippy::indexing_slicing, reason = "a remainder is less than what it is one of")]
-    &kept[slot as usize % PLACES]
+fn held<T: Copy + Default, const PLACES: usize>(kept: &[T; PLACES], slot: u32) -> T {
+    kept.get(slot as usize % PLACES).copied().unwrap_or_default()
 }
 
 /// That of one slot, to be written.
 #[inline(always)]
-fn held_mut<T, const PLACES: usize>(kept: &mut [T; PLACES], slot: u32) -> &mut T {
-    #[allow(clippy::indexing_slicing, reason = "a remainder is less than what it is one of")]
-    &mut kept[slot as usize % PLACES]
+fn held_mut<T, const PLACES: usize>(kept: &mut [T; PLACES], slot: u32) -> Option<&mut T> {
+    kept.get_mut(slot as usize % PLACES)
 }
 
 /// Vectors to columns.
