@@ -3,10 +3,13 @@
 use super::bounce::Bounces;
 use super::events::Events;
 use crate::Real;
-use crate::vectors::at;
+use crate::vectors::{at, put};
 
 /// Particles of which the earliest due time is kept: few enough that most blocks have nothing due in a frame.
 pub const BLOCK: usize = 16;
+
+/// Blocks that are looked at together for whether they have something due.
+const AHEAD: usize = 8;
 
 /// Particles that are listed at once: enough that lanes find another one when theirs is done, few enough for the stack of
 /// a microcontroller.
@@ -47,25 +50,28 @@ impl Due {
     #[inline(always)]
     pub fn list<R: Real>(&mut self, events: &mut Events<'_, R>, first: u32, time: f64) -> u32 {
         self.listed = 0;
-        let mut block = first;
-        for earliest in events.earliest.iter_mut().skip(first as usize) {
-            if *earliest <= time {
-                if self.listed as usize + BLOCK > ROOM {
-                    break;
-                }
-                let start = block as usize * BLOCK;
-                let since = events.since.get(start..).unwrap_or_default();
-                let tau = events.tau.get(start..).unwrap_or_default();
-                let due;
-                (due, *earliest) = match (since.first_chunk(), tau.first_chunk()) {
-                    (Some(since), Some(tau)) => due_of(since, tau, time),
-                    _ => due_of_part(since, tau, time),
-                };
-                self.push(start as u32, due);
+        let mut next = first;
+        while (next as usize) < events.earliest.len() && self.listed as usize + BLOCK * AHEAD <= ROOM {
+            let mut room = [0; AHEAD];
+            for block in blocks_due(events.earliest, next, time, &mut room) {
+                self.list_block(events, *block, time);
             }
-            block += 1;
+            next += AHEAD as u32;
         }
-        block
+        next
+    }
+
+    #[inline(always)]
+    fn list_block<R: Real>(&mut self, events: &mut Events<'_, R>, block: u32, time: f64) {
+        let start = block as usize * BLOCK;
+        let since = events.since.get(start..).unwrap_or_default();
+        let tau = events.tau.get(start..).unwrap_or_default();
+        let (due, earliest) = match (since.first_chunk(), tau.first_chunk()) {
+            (Some(since), Some(tau)) => due_of(since, tau, time),
+            _ => due_of_part(since, tau, time),
+        };
+        put(events.earliest, block, earliest);
+        self.push(start as u32, due);
     }
 
     /// Lists the particles from `start` on whose bits are set.
@@ -81,6 +87,18 @@ impl Due {
             due &= due - 1;
         }
     }
+}
+
+/// Of the next few blocks from `first` on those that have something due.
+#[inline(always)]
+fn blocks_due<'a>(earliest: &[f64], first: u32, time: f64, room: &'a mut [u32; AHEAD]) -> &'a [u32] {
+    let mut found = 0;
+    for (earliest, block) in earliest.iter().skip(first as usize).zip(first..).take(AHEAD) {
+        // Without a branch that nothing foretells.
+        put(room, found, block);
+        found += u32::from(*earliest <= time);
+    }
+    room.get(..found as usize).unwrap_or_default()
 }
 
 /// Which of a block have something due, a bit each, and when the first of the others has.
