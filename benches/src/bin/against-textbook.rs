@@ -52,7 +52,8 @@ fn race(name: &str, model: &Model, csv: &mut String) {
         ours::<f64>("f64", model, Lanes::Avx512, 1),
         verlet::<f32>("Verlet f32", model),
     ];
-    let steps = (4_000_000 / items).clamp(1, 2000) as u32;
+    // Long enough that a thread which has been asleep is at work for most of it.
+    let steps = (16_000_000 / items).clamp(3, 8000) as u32;
     let times = least_times(&mut contenders, ROUNDS, steps);
     let single = times[0].min(times[1]);
     println!("{name}: {springs} springs, {particles} particles");
