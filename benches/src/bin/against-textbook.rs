@@ -68,7 +68,7 @@ fn race(name: &str, model: &Model, csv: &mut String) {
     }
     // Between themselves: a core that has been left idle for the others' turns takes its time to come back.
     let mut contenders =
-        [1, 2].map(|threads| ours::<f32>(&format!("f32, threads: {threads}"), model, Lanes::Avx512, threads));
+        [1, 2].map(|threads| ours::<f32>(&format!("f32 on {threads} thread(s)"), model, Lanes::Avx512, threads));
     let times = least_times(&mut contenders, ROUNDS, steps);
     for ((contender, _), time) in contenders.iter().zip(&times) {
         tell(contender, *time, format!("{:6.2} times one thread", times[0] / time));
