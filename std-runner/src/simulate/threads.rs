@@ -2,7 +2,7 @@
 
 use hooke::{Plan, Workers};
 
-/// Springs that are worth a second thread: a cloth of 5,826 gains nothing by it, one of 23,938 takes 1.2 to
+/// Springs that are worth a second thread: a cloth of 5,826 gains nothing by it, one of 23,938 takes 1.1 to
 /// 1.7 times less, by how busy the machine is otherwise.
 const WORTH_SHARING: u32 = 20_000;
 
