@@ -82,32 +82,25 @@ mod plain {
         }
     }
 
-    #[inline(never)]
-    fn baseline(
-        state: &[Column; 6],
-        a: &mut [f32],
-        b: &mut [f32],
-        c: &mut [f32],
-        d: &mut [f32],
-        e: &mut [f32],
-        f: &mut [f32],
-    ) {
-        body(state, a, b, c, d, e, f);
+    macro_rules! compiled {
+        ($name:ident, $(#[$attribute:meta])*) => {
+            $(#[$attribute])*
+            fn $name(
+                state: &[Column; 6],
+                a: &mut [f32],
+                b: &mut [f32],
+                c: &mut [f32],
+                d: &mut [f32],
+                e: &mut [f32],
+                f: &mut [f32],
+            ) {
+                body(state, a, b, c, d, e, f);
+            }
+        };
     }
 
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    fn avx2(
-        state: &[Column; 6],
-        a: &mut [f32],
-        b: &mut [f32],
-        c: &mut [f32],
-        d: &mut [f32],
-        e: &mut [f32],
-        f: &mut [f32],
-    ) {
-        body(state, a, b, c, d, e, f);
-    }
+    compiled!(baseline, #[inline(never)]);
+    compiled!(avx2, #[cfg(target_arch = "x86_64")] #[target_feature(enable = "avx2")]);
 
     pub fn for_baseline(state: &[Column; 6], [a, b, c, d, e, f]: [&mut [f32]; 6]) {
         baseline(state, a, b, c, d, e, f);

@@ -3,9 +3,9 @@
 use hooke::{Project, Sleep};
 use hooke_runner::model::{Hold, Model, ModelPlane};
 use hooke_runner::scene::StepperName;
-use hooke_runner::simulate::{AnyStepper, world};
+use hooke_runner::simulate::{AnyStepper, HeapWorld, world};
 
-use crate::scenes::{GRAVITY, balls, cloth};
+use crate::scenes::{GRAVITY, balls, cloth, ropes};
 
 /// Takes so many steps.
 pub type Steps = Box<dyn FnMut(u32)>;
@@ -33,7 +33,9 @@ pub struct Pair {
 }
 
 /// s; stable on all of these scenes.
-const TIME_STEP: f64 = 1e-4;
+const TIME_STEP: f32 = 1e-4;
+/// Relative; none of these steppers asks for it.
+const TOLERANCE: f64 = 1e-6;
 /// Above the floor: where the cloth hangs. A plane a little lower has to be tested particle by particle.
 const HEIGHT: f64 = 1.0;
 
@@ -101,58 +103,49 @@ fn pin_half(model: &mut Model) {
 }
 
 fn steps(model: &Model, gravity: [f64; 3], stepper: StepperName) -> Steps {
-    let mut world = world::<f32>(model, gravity).expect("a scene in range");
-    let mut stepper = AnyStepper::named(stepper, 1e-6);
-    Box::new(move |steps| {
-        for _ in 0..steps {
-            world.step(&mut stepper, &mut Project, TIME_STEP as f32).expect("a stable step");
-        }
-    })
+    stepping(built(model, gravity), stepper, TIME_STEP, 1)
 }
 
 /// Balls over a plane, each step a sixtieth of a second, taken in so many parts.
 fn frames(stepper: StepperName, parts: u16) -> Steps {
-    let mut world = world::<f32>(&balls(10_000), GRAVITY).expect("a scene in range");
-    let mut stepper = AnyStepper::named(stepper, 1e-6);
-    Box::new(move |steps| {
-        for _ in 0..steps * u32::from(parts) {
-            world.step(&mut stepper, &mut Project, 1.0 / 60.0 / f32::from(parts)).expect("a stable step");
-        }
-    })
+    stepping(built(&balls(10_000), GRAVITY), stepper, 1.0 / 60.0 / f32::from(parts), parts.into())
 }
 
 /// Ropes that lie still, without gravity, one in a hundred of which swings.
 fn ropes_at_rest(sleep: Option<Sleep<f32>>) -> Steps {
-    let mut model = crate::scenes::ropes(200, 100);
+    let time_step = 1e-3;
+    let mut model = ropes(200, 100);
     for (number, particle) in model.particles.iter_mut().enumerate() {
         if number / 100 % 100 == 37 {
             particle.velocity = [0.0, 0.0, 1.0];
         }
     }
-    let mut world = world::<f32>(&model, [0.0; 3]).expect("a scene in range");
+    let mut world = built(&model, [0.0; 3]);
     world.set_sleep(sleep).expect("sound");
-    let mut stepper = AnyStepper::named(euler(), 1e-6);
-    let mut take = move |steps: u32| {
-        for _ in 0..steps {
-            world.step(&mut stepper, &mut Project, 1e-3).expect("a stable step");
-        }
-        world.view().plan().islands_asleep
-    };
-    let asleep = take(100);
-    assert_eq!(asleep, if sleep.is_some() { 198 } else { 0 });
-    Box::new(move |steps| {
-        take(steps);
-    })
+    take(&mut world, &mut AnyStepper::named(euler(), TOLERANCE), time_step, 100);
+    assert_eq!(world.view().plan().islands_asleep, if sleep.is_some() { 198 } else { 0 });
+    stepping(world, euler(), time_step, 1)
 }
 
 /// It never comes to rest.
 fn cloth_that_may_sleep(may: bool) -> Steps {
-    let mut world = world::<f32>(&cloth(64, 0.05), GRAVITY).expect("a scene in range");
+    let mut world = built(&cloth(64, 0.05), GRAVITY);
     world.set_sleep(may.then(|| Sleep::below(1e-6))).expect("sound");
-    let mut stepper = AnyStepper::named(euler(), 1e-6);
-    Box::new(move |steps| {
-        for _ in 0..steps {
-            world.step(&mut stepper, &mut Project, TIME_STEP as f32).expect("a stable step");
-        }
-    })
+    stepping(world, euler(), TIME_STEP, 1)
+}
+
+fn built(model: &Model, gravity: [f64; 3]) -> HeapWorld<f32> {
+    world(model, gravity).expect("a scene in range")
+}
+
+/// Steps of a world, each taken in so many parts of `time_step` seconds.
+fn stepping(mut world: HeapWorld<f32>, stepper: StepperName, time_step: f32, parts: u32) -> Steps {
+    let mut stepper = AnyStepper::named(stepper, TOLERANCE);
+    Box::new(move |steps| take(&mut world, &mut stepper, time_step, steps * parts))
+}
+
+fn take(world: &mut HeapWorld<f32>, stepper: &mut AnyStepper<f32>, time_step: f32, steps: u32) {
+    for _ in 0..steps {
+        world.step(stepper, &mut Project, time_step).expect("a stable step");
+    }
 }

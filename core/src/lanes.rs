@@ -99,46 +99,35 @@ pub fn run_on_six<R, K: SixColumns<R>>(
     baseline_on_six(kernel, a, b, c, d, e, f)
 }
 
-#[inline(never)]
-fn baseline_on_six<R, K: SixColumns<R>>(
-    kernel: K,
-    a: &mut [R],
-    b: &mut [R],
-    c: &mut [R],
-    d: &mut [R],
-    e: &mut [R],
-    f: &mut [R],
-) -> K::Output {
-    kernel.run(a, b, c, d, e, f)
+/// The function that a loop on six columns is compiled in, with these attributes.
+macro_rules! on_six {
+    ($name:ident, $(#[$attribute:meta])*) => {
+        $(#[$attribute])*
+        fn $name<R, K: SixColumns<R>>(
+            kernel: K,
+            a: &mut [R],
+            b: &mut [R],
+            c: &mut [R],
+            d: &mut [R],
+            e: &mut [R],
+            f: &mut [R],
+        ) -> K::Output {
+            kernel.run(a, b, c, d, e, f)
+        }
+    };
 }
 
-#[cfg(all(target_arch = "x86_64", feature = "std"))]
-#[target_feature(enable = "avx2")]
-fn avx2_on_six<R, K: SixColumns<R>>(
-    kernel: K,
-    a: &mut [R],
-    b: &mut [R],
-    c: &mut [R],
-    d: &mut [R],
-    e: &mut [R],
-    f: &mut [R],
-) -> K::Output {
-    kernel.run(a, b, c, d, e, f)
-}
-
-#[cfg(all(target_arch = "x86_64", feature = "std"))]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-fn avx512_on_six<R, K: SixColumns<R>>(
-    kernel: K,
-    a: &mut [R],
-    b: &mut [R],
-    c: &mut [R],
-    d: &mut [R],
-    e: &mut [R],
-    f: &mut [R],
-) -> K::Output {
-    kernel.run(a, b, c, d, e, f)
-}
+on_six!(baseline_on_six, #[inline(never)]);
+on_six!(
+    avx2_on_six,
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    #[target_feature(enable = "avx2")]
+);
+on_six!(
+    avx512_on_six,
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+);
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[target_feature(enable = "avx2")]

@@ -68,15 +68,25 @@ impl<R: Real> Kernel for Enclose<'_, R> {
                 enclose(&mut lows, &mut highs, chunk);
             }
             enclose(&mut lows, &mut highs, rest);
-            for (l, h) in lows.into_iter().zip(highs) {
-                *low = low.at_most(l);
-                *high = high.at_least(h);
-            }
+            (*low, *high) = (least(lows), most(highs));
         }
         reach
     }
 }
 
+/// Of all lanes.
+#[inline(always)]
+fn least<R: Real>(lanes: [R; LANES]) -> R {
+    lanes.into_iter().fold(R::INFINITY, R::at_most)
+}
+
+/// Of all lanes.
+#[inline(always)]
+fn most<R: Real>(lanes: [R; LANES]) -> R {
+    lanes.into_iter().fold(-R::INFINITY, R::at_least)
+}
+
+/// Lane by lane.
 #[inline(always)]
 fn enclose<R: Real>(lows: &mut [R], highs: &mut [R], points: &[R]) {
     for ((low, high), point) in lows.iter_mut().zip(highs).zip(points) {
@@ -112,11 +122,7 @@ impl<R: Real> Kernel for Grow<'_, R> {
                 grow(&mut lows, &mut highs, &mut bends, [from, velocity, to], dt);
             }
             grow(&mut lows, &mut highs, &mut bends, [from_rest, velocity_rest, to_rest], dt);
-            for [l, h, b] in triples([&lows, &highs, &bends]) {
-                *low = low.at_most(l);
-                *high = high.at_least(h);
-                *bend = bend.at_least(b);
-            }
+            (*low, *high, *bend) = (least(lows), most(highs), most(bends));
         }
         reach
     }
@@ -124,10 +130,9 @@ impl<R: Real> Kernel for Grow<'_, R> {
 
 #[inline(always)]
 fn grow<R: Real>(lows: &mut [R], highs: &mut [R], bends: &mut [R], [from, velocity, to]: [&[R]; 3], dt: R) {
-    let boxes = lows.iter_mut().zip(highs).zip(bends);
-    for (((low, high), bend), [from, velocity, to]) in boxes.zip(triples([from, velocity, to])) {
-        *low = low.at_most(from).at_most(to);
-        *high = high.at_least(from).at_least(to);
+    enclose(lows, highs, from);
+    enclose(lows, highs, to);
+    for (bend, [from, velocity, to]) in bends.iter_mut().zip(triples([from, velocity, to])) {
         *bend = bend.at_least((to - from - dt * velocity).abs());
     }
 }

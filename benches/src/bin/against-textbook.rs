@@ -9,17 +9,20 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use glam::{DVec3, Vec3, Vec3A};
-use hooke::{Lanes, Project, Real, SemiImplicitEuler, VelocityVerlet};
+use hooke::{Lanes, Project, Real};
 use hooke_benches::interleaved::{Contender, least_times};
 use hooke_benches::scenes::{GRAVITY, STEP};
 use hooke_benches::stamp::stamp;
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
 use hooke_runner::model::Model;
-use hooke_runner::simulate::{Heap, HeapWorld, Threads, world};
+use hooke_runner::scene::StepperName;
+use hooke_runner::simulate::{AnyStepper, HeapWorld, Threads, world};
 
 /// s; stable on all of these scenes.
 const TIME_STEP: f64 = 1e-4;
+/// Relative; none of these steppers asks for it.
+const TOLERANCE: f64 = 1e-6;
 const ROUNDS: u32 = 7;
 
 fn main() -> std::io::Result<()> {
@@ -41,15 +44,16 @@ fn main() -> std::io::Result<()> {
 fn race(name: &str, model: &Model, csv: &mut String) {
     let (springs, particles) = (model.springs.len(), model.particles.len());
     let items = if springs > 0 { springs } else { particles };
+    let euler = StepperName::SemiImplicitEuler;
     let mut contenders = vec![
         textbook::<Vec3>("Vec3 f32", model),
         textbook::<Vec3A>("Vec3A f32", model),
         textbook::<DVec3>("DVec3 f64", model),
-        ours::<f32>("f32 baseline", model, Lanes::Baseline, 1),
-        ours::<f32>("f32 AVX2", model, Lanes::Avx2, 1),
-        ours::<f32>("f32", model, Lanes::Avx512, 1),
-        ours::<f64>("f64", model, Lanes::Avx512, 1),
-        verlet::<f32>("Verlet f32", model),
+        ours::<f32>("f32 baseline", model, euler, Lanes::Baseline, 1),
+        ours::<f32>("f32 AVX2", model, euler, Lanes::Avx2, 1),
+        ours::<f32>("f32", model, euler, Lanes::Avx512, 1),
+        ours::<f64>("f64", model, euler, Lanes::Avx512, 1),
+        ours::<f32>("Verlet f32", model, StepperName::VelocityVerlet, Lanes::Avx512, 1),
     ];
     // Long enough that a thread which has been asleep is at work for most of it.
     let steps = (16_000_000 / items).clamp(3, 8000) as u32;
@@ -68,7 +72,7 @@ fn race(name: &str, model: &Model, csv: &mut String) {
     }
     // Between themselves: a core that has been left idle for the others' turns takes its time to come back.
     let mut contenders =
-        [1, 2].map(|threads| ours::<f32>(&format!("f32 on {threads} thread(s)"), model, Lanes::Avx512, threads));
+        [1, 2].map(|threads| ours::<f32>(&format!("f32 on {threads} thread(s)"), model, euler, Lanes::Avx512, threads));
     let times = least_times(&mut contenders, ROUNDS, steps);
     for ((contender, _), time) in contenders.iter().zip(&times) {
         tell(contender, *time, format!("{:6.2} times one thread", times[0] / time));
@@ -85,34 +89,24 @@ where
     (format!("textbook {label}"), Box::new(step))
 }
 
-fn ours<R: Real>(label: &str, model: &Model, lanes: Lanes, threads: u32) -> Contender<'static> {
+fn ours<R: Real>(label: &str, model: &Model, stepper: StepperName, lanes: Lanes, threads: u32) -> Contender<'static> {
     let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
     world.set_lanes(lanes);
+    let mut stepper = AnyStepper::named(stepper, TOLERANCE);
     let threads = Threads::of(Some(threads), world.view().plan()).expect("threads to be had");
     let step = move |steps: u32| match &threads {
-        Some(threads) => threads.during(|| repeat(&mut world, Some(threads), steps)),
-        None => repeat(&mut world, None, steps),
+        Some(threads) => threads.during(|| repeat(&mut world, &mut stepper, Some(threads), steps)),
+        None => repeat(&mut world, &mut stepper, None, steps),
     };
     (format!("hooke {label}"), Box::new(step))
 }
 
-fn repeat<R: Real>(world: &mut HeapWorld<R>, threads: Option<&Threads>, steps: u32) {
+fn repeat<R: Real>(world: &mut HeapWorld<R>, stepper: &mut AnyStepper<R>, threads: Option<&Threads>, steps: u32) {
     for _ in 0..steps {
         let mut view = world.view();
         if let Some(threads) = threads {
             view.share_among(threads);
         }
-        view.step(&mut SemiImplicitEuler, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
+        view.step(stepper, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
     }
-}
-
-fn verlet<R: Real>(label: &str, model: &Model) -> Contender<'static> {
-    let mut world = world::<R>(model, GRAVITY).expect("a scene in range");
-    let mut stepper = VelocityVerlet::<R, Heap>::new();
-    let step = move |steps| {
-        for _ in 0..steps {
-            world.step(&mut stepper, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
-        }
-    };
-    (format!("hooke {label}"), Box::new(step))
 }

@@ -6,11 +6,7 @@ use super::events::{Events, half};
 use crate::Real;
 use crate::lanes::{SixColumns, run_on_six};
 use crate::vectors::{Columns, read, triples, triples_mut, window, window_mut};
-use crate::world::{State, System};
-
-/// Particles whose times since their last events are worked out at once. Those are differences of `f64`, whatever the
-/// states are: a loop with both in it would run on as few lanes as `f64` has.
-const TILE: u32 = 256;
+use crate::world::{State, System, TILE, tiles};
 
 /// Writes the states at a `time` to `next`, from the last events on.
 pub fn coast<R: Real>(system: &System<'_, R>, events: &Events<'_, R>, time: f64, next: State<'_, R>) {
@@ -72,12 +68,10 @@ impl<R: Real, const FIRST: bool, const LAST: bool> SixColumns<R> for Coast<'_, R
 
     #[inline(always)]
     fn run(self, x: &mut [R], y: &mut [R], z: &mut [R], u: &mut [R], v: &mut [R], w: &mut [R]) {
+        // The times since the last events are differences of `f64`, whatever the states are: a loop with both in it would
+        // run on as few lanes as `f64` has.
         let mut room = [R::ZERO; TILE as usize];
-        let all = self.since.len() as u32;
-        let mut start = 0;
-        while start < all {
-            let tile = start..start.saturating_add(TILE).min(all);
-            start = tile.end;
+        for tile in tiles(0..self.since.len() as u32) {
             let [since] = window([self.since], tile.clone());
             for (tau, since) in room.iter_mut().zip(since) {
                 *tau = R::from_f64(self.time - *since);

@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::lanes::{self, Kernel, Lanes};
-use crate::vectors::{Columns, ColumnsMut, cut, lend, triples, triples_mut};
+use crate::vectors::{Columns, ColumnsMut, cut, lend, set, triples, triples_mut, value};
 use crate::world::System;
 
 /// Where a particle's acceleration comes from.
@@ -107,10 +107,8 @@ impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, R, A> {
     #[inline(always)]
     fn run(self) {
         for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations()) {
-            let a = acceleration(below.each_ref().map(|component| **component));
-            for (below, a) in below.into_iter().zip(a) {
-                *below = a;
-            }
+            let a = acceleration(value(&below));
+            set(below, a);
         }
     }
 }

@@ -6,8 +6,8 @@ use core::ops::Range;
 use super::law::force_density;
 use super::tiles::Forces;
 use crate::Real;
-use crate::vectors::{along, difference, fetch, read, store, triples, triples_mut, window};
-use crate::world::{Law, Springs};
+use crate::vectors::{along, difference, fetch, read, set, store, triples, triples_mut, window};
+use crate::world::{Law, Springs, stretches};
 
 /// Springs whose roots and divisions are taken together: what the widest lanes hold.
 const BATCH: usize = 16;
@@ -19,14 +19,8 @@ pub fn add<R: Real, const DAMPED: bool>(
     range: Range<u32>,
     forces: &mut Forces<'_, R>,
 ) -> u32 {
-    let mut degenerate = 0;
-    let mut first = range.start;
-    while first < range.end {
-        let end = range.end.min(first + BATCH as u32);
-        degenerate += add_batch::<R, DAMPED>(springs, first..end, forces);
-        first = end;
-    }
-    degenerate
+    let batches = stretches(range, BATCH as u32);
+    batches.fold(0, |degenerate, batch| degenerate + add_batch::<R, DAMPED>(springs, batch, forces))
 }
 
 #[inline(always)]
@@ -79,11 +73,4 @@ fn batched<R: Real>(stretch: &[R]) -> [R; BATCH] {
         *place = *value;
     }
     batch
-}
-
-#[inline(always)]
-fn set<R: Real>(to: [&mut R; 3], vector: [R; 3]) {
-    for (to, component) in to.into_iter().zip(vector) {
-        *to = component;
-    }
 }

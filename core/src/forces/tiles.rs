@@ -106,6 +106,7 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         }
         for tile in tiles(slots.start.max(attached)..slots.end) {
             let none = cut_mut(lend(&mut out), within(&slots, &tile))?;
+            // Of a length with the others: what is in it is not looked at.
             let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
             outcome.finite &= then.then(Tile::of(system, tile, none, above, Falling)?);
         }

@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use super::law::force_density;
 use crate::Real;
-use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, triples, triples_mut};
+use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, set, triples, triples_mut};
 use crate::world::{Law, Springs, TILE};
 
 /// Slots that are kept, a power of two: a mesh of half a million particles, well numbered, reaches that far.
@@ -178,7 +178,7 @@ fn held_mut<T, const PLACES: usize>(kept: &mut [T; PLACES], slot: u32) -> Option
 /// Vectors to columns.
 #[inline(always)]
 fn write<R: Real>(vectors: &[[R; 4]], columns: ColumnsMut<'_, R>) {
-    for ([x, y, z], [from_x, from_y, from_z, _]) in triples_mut(columns).zip(vectors) {
-        (*x, *y, *z) = (*from_x, *from_y, *from_z);
+    for (to, [x, y, z, _]) in triples_mut(columns).zip(vectors) {
+        set(to, [*x, *y, *z]);
     }
 }

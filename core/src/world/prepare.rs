@@ -1,7 +1,7 @@
 //! Preparation: particles into slots, springs into the lists of their particles.
 //!
-//! It alone decides the order in which the forces on a particle are added: that of the springs' numbers. It runs in
-//! place, in time proportional to the number of particles and springs.
+//! It alone decides the order in which the forces on a particle are added: by slot (`order.rs`), whatever a step is
+//! shared among. It runs in place.
 
 use super::islands::arrange;
 use super::layout::{Incidence, ParticleColumns, SpringColumns};
