@@ -179,12 +179,6 @@ pub fn triples<'a, R: Real>([x, y, z]: Columns<'a, R>) -> impl Iterator<Item = [
     x.iter().zip(y).zip(z).map(|((x, y), z)| [*x, *y, *z])
 }
 
-/// The value of a vector in written columns.
-#[inline(always)]
-pub fn value<R: Real>([x, y, z]: &[&mut R; 3]) -> [R; 3] {
-    [**x, **y, **z]
-}
-
 /// Sets a vector in written columns.
 #[inline(always)]
 pub fn set<R: Real>([x, y, z]: [&mut R; 3], vector: [R; 3]) {

@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::lanes::{self, Kernel, Lanes};
-use crate::vectors::{Columns, ColumnsMut, cut, lend, set, triples, triples_mut, value};
+use crate::vectors::{Columns, ColumnsMut, cut, lend, set, triples, triples_mut};
 use crate::world::System;
 
 /// Where a particle's acceleration comes from.
@@ -107,7 +107,7 @@ impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, R, A> {
     #[inline(always)]
     fn run(self) {
         for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations()) {
-            let a = acceleration(value(&below));
+            let a = acceleration(below.each_ref().map(|component| **component));
             set(below, a);
         }
     }

@@ -4,7 +4,7 @@ use crate::Real;
 use crate::forces::{Acceleration, Rest, Then, Tile};
 use crate::lanes::{self, SixColumns};
 use crate::types::StepReport;
-use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, split, triples, triples_mut, value};
+use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, split, triples, triples_mut};
 use crate::world::View;
 
 /// v' = v + dt·a(x, v); x' = x + dt·v' or, with the `EXPLICIT` one, x' = x + dt·v.
@@ -77,7 +77,7 @@ impl<R: Real, A: Acceleration<R>, const EXPLICIT: bool> SixColumns<R> for Partic
         let mut infinite = 0;
         for (((below, next), acceleration), (x, v)) in written.zip(rest.accelerations()).zip(triples(x).zip(triples(v)))
         {
-            let a = acceleration(value(&below));
+            let a = acceleration(below.each_ref().map(|component| **component));
             let components = a.into_iter().zip(x.into_iter().zip(v));
             for ((below, next), (a, (x, v))) in below.into_iter().zip(next).zip(components) {
                 let velocity = v + dt * a;
