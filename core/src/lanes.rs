@@ -10,6 +10,14 @@
     reason = "calls into functions compiled for instructions that the machine has been found to have"
 )]
 
+mod transpose;
+
+pub use transpose::{Rows, Set};
+
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+use transpose::Avx;
+use transpose::Whole;
+
 /// A set of vector instructions, narrowest first. A world steps with the widest that there is; this is how to ask for
 /// less, to compare.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,8 +53,9 @@ impl Lanes {
 pub trait Kernel {
     /// What it returns.
     type Output;
-    /// Its body: to be marked `#[inline(always)]`, as all that it calls, so that it is compiled for each set.
-    fn run(self) -> Self::Output;
+    /// Its body: to be marked `#[inline(always)]`, as all that it calls, so that it is compiled for each set, which it
+    /// is told.
+    fn run(self, set: impl Set) -> Self::Output;
 }
 
 /// Runs a kernel on the widest lanes that there are, up to `most`.
@@ -61,7 +70,7 @@ pub fn run<K: Kernel>(most: Lanes, kernel: K) -> K::Output {
         Lanes::Baseline => {}
     }
     let _ = most;
-    kernel.run()
+    kernel.run(Whole)
 }
 
 /// A loop that writes to six columns. They are arguments of a function that is compiled by itself, because only of those
@@ -132,11 +141,13 @@ on_six!(
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[target_feature(enable = "avx2")]
 fn avx2<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run()
+    // SAFETY: this is compiled for AVX2.
+    kernel.run(unsafe { Avx::new() })
 }
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
 fn avx512<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run()
+    // SAFETY: AVX2 is part of what this is compiled for.
+    kernel.run(unsafe { Avx::new() })
 }

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel, Lanes};
+use crate::lanes::{self, Kernel, Lanes, Set};
 use crate::rounding::rounding;
 use crate::types::Plane;
 use crate::vectors::{Columns, read, triples, window};
@@ -58,7 +58,7 @@ impl<R: Real> Kernel for Enclose<'_, R> {
     type Output = Reach<R>;
 
     #[inline(always)]
-    fn run(self) -> Reach<R> {
+    fn run(self, _set: impl Set) -> Reach<R> {
         let mut reach = Reach { low: [R::INFINITY; 3], high: [-R::INFINITY; 3], bend: [R::ZERO; 3] };
         for (column, (low, high)) in self.0.into_iter().zip(reach.low.iter_mut().zip(&mut reach.high)) {
             let mut lows = [R::INFINITY; LANES];
@@ -106,7 +106,7 @@ impl<R: Real> Kernel for Grow<'_, R> {
     type Output = Reach<R>;
 
     #[inline(always)]
-    fn run(self) -> Reach<R> {
+    fn run(self, _set: impl Set) -> Reach<R> {
         let Self { from, velocity, to, dt } = self;
         let mut reach = Reach { low: [R::INFINITY; 3], high: [-R::INFINITY; 3], bend: [R::ZERO; 3] };
         let axes = from.into_iter().zip(velocity).zip(to);

@@ -3,7 +3,7 @@
 use super::due::{BLOCK, Due};
 use super::events::Events;
 use crate::Real;
-use crate::lanes::Kernel;
+use crate::lanes::{Kernel, Set};
 use crate::vectors::{at, store};
 use crate::world::{State, System};
 
@@ -31,7 +31,7 @@ impl<R: Real> Kernel for Pass<'_, R> {
     type Output = Passed;
 
     #[inline(always)]
-    fn run(mut self) -> Passed {
+    fn run(mut self, _set: impl Set) -> Passed {
         let mut passed = Passed::default();
         let mut due = Due::NOTHING;
         let mut block = 0;

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel};
+use crate::lanes::{self, Kernel, Set};
 use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Plane, StepError, StepReport};
@@ -83,7 +83,7 @@ impl<R: Real> Kernel for AnyBeyond<'_, R> {
     type Output = bool;
 
     #[inline(always)]
-    fn run(self) -> bool {
+    fn run(self, _set: impl Set) -> bool {
         let beyond = triples(self.position).map(|position| u32::from(self.plane.gap(position) < R::ZERO));
         beyond.fold(0, |any, beyond| any | beyond) != 0
     }

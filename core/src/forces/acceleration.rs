@@ -4,7 +4,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel, Lanes};
+use crate::lanes::{self, Kernel, Lanes, Set};
 use crate::vectors::{Columns, ColumnsMut, cut, lend, set, triples, triples_mut};
 use crate::world::System;
 
@@ -105,7 +105,7 @@ impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, R, A> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run(self, _set: impl Set) {
         for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations()) {
             let a = acceleration(below.each_ref().map(|component| **component));
             set(below, a);

@@ -8,7 +8,7 @@ use super::window::Window;
 use super::{diagonal, scattered};
 use crate::Real;
 use crate::contact::hold_up;
-use crate::lanes::{self, Kernel, Lanes};
+use crate::lanes::{self, Kernel, Lanes, Set};
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
@@ -135,7 +135,7 @@ impl<R: Real> Kernel for Pull<'_, '_, '_, R> {
     type Output = Option<u32>;
 
     #[inline(always)]
-    fn run(self) -> Option<u32> {
+    fn run(self, set: impl Set) -> Option<u32> {
         let Self { system, sweep, tile, window, forces } = self;
         // With lengths that are known to be the same, a range is checked once for all columns.
         let particles = 0..system.plan.particles;
@@ -151,7 +151,7 @@ impl<R: Real> Kernel for Pull<'_, '_, '_, R> {
         };
         match window {
             // What nobody can have costs a program nothing.
-            Some(window) if cfg!(feature = "std") => add_windowed(system, sweep, &tile, window, &mut forces),
+            Some(window) if cfg!(feature = "std") => add_windowed(system, sweep, &tile, window, &mut forces, set),
             _ => Some(add_tile(system, sweep, tile.end, &mut forces)),
         }
     }
@@ -166,6 +166,7 @@ fn add_windowed<R: Real>(
     tile: &Range<u32>,
     window: &mut Window<R>,
     forces: &mut Forces<'_, R>,
+    set: impl Set,
 ) -> Option<u32> {
     let first = forces.slots.start;
     let slots = tile.start..sweep.reach(tile).min(system.plan.attached);
@@ -176,9 +177,9 @@ fn add_windowed<R: Real>(
     window.keep(&slots, forces.position, forces.velocity, read(&forces.below), first)?;
     let springs = sweep.all(tile.end);
     let degenerate = if system.plan.damped == Coverage::None {
-        window.add::<false>(&system.springs, springs)?
+        window.add::<false>(&system.springs, springs, set)?
     } else {
-        window.add::<true>(&system.springs, springs)?
+        window.add::<true>(&system.springs, springs, set)?
     };
     window.write_above(lend(&mut forces.above));
     window.let_go(tile.end, lend(&mut forces.below), first)?;

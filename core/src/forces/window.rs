@@ -8,6 +8,7 @@ use core::ops::Range;
 
 use super::law::force_density;
 use crate::Real;
+use crate::lanes::{Rows, Set};
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, set, triples, triples_mut};
 use crate::world::{Law, Springs, TILE};
 
@@ -25,7 +26,8 @@ pub fn pays(scattered: u32) -> bool {
     cfg!(feature = "std") && scattered >= LEAST
 }
 
-/// What is kept, by slot modulo its size.
+/// What is kept, by slot modulo its size. Aligned, so that no vector lies across two lines of the cache.
+#[repr(C, align(64))]
 pub struct Window<R> {
     /// Position and velocity, each with a place left over.
     states: [[R; 8]; HELD as usize],
@@ -33,7 +35,26 @@ pub struct Window<R> {
     below: [[R; 4]; HELD as usize],
     /// N, from springs to higher slots, of the tile at hand.
     above: [[R; 4]; TILE as usize],
+    batch: Batch<R>,
     slots: Range<u32>,
+}
+
+/// What springs are worked out in, aligned likewise.
+#[repr(C, align(64))]
+struct Batch<R> {
+    /// Of position and velocity, each with a place left over.
+    differences: [Rows<R>; BATCH / 8],
+    /// The same in columns.
+    columns: [[R; BATCH]; 6],
+    force_densities: [R; BATCH],
+}
+
+impl<R: Real> Batch<R> {
+    const ZERO: Self = Self {
+        differences: [[[R::ZERO; 8]; 8]; BATCH / 8],
+        columns: [[R::ZERO; BATCH]; 6],
+        force_densities: [R::ZERO; BATCH],
+    };
 }
 
 impl<R: Real> Window<R> {
@@ -42,6 +63,7 @@ impl<R: Real> Window<R> {
             states: [[R::ZERO; 8]; HELD as usize],
             below: [[R::ZERO; 4]; HELD as usize],
             above: [[R::ZERO; 4]; TILE as usize],
+            batch: Batch::ZERO,
             slots: 0..0,
         }
     }
@@ -70,7 +92,7 @@ impl<R: Real> Window<R> {
             let next = self.slots.end..round_end(self.slots.end).min(slots.end);
             let states = triples(cut(position, next.clone())?).zip(triples(cut(velocity, next.clone())?));
             for (kept, ([x, y, z], [u, v, w])) in places(&mut self.states, &next)?.iter_mut().zip(states) {
-                *kept = [x, y, z, R::ZERO, R::ZERO, u, v, w];
+                *kept = [x, y, z, R::ZERO, u, v, w, R::ZERO];
             }
             let sums = triples(cut(below, next.start - first..next.end - first)?);
             for (kept, [x, y, z]) in places(&mut self.below, &next)?.iter_mut().zip(sums) {
@@ -85,33 +107,44 @@ impl<R: Real> Window<R> {
     /// Adds the forces of these springs, which begin in the tile that the slots begin with. Returns how many of them
     /// have length 0.
     #[inline(always)]
-    pub fn add<const DAMPED: bool>(&mut self, springs: &Springs<'_, R>, range: Range<u32>) -> Option<u32> {
+    pub fn add<const DAMPED: bool>(
+        &mut self,
+        springs: &Springs<'_, R>,
+        range: Range<u32>,
+        set: impl Set,
+    ) -> Option<u32> {
         let range = range.start as usize..range.end as usize;
         let ends = springs.ends.get(range.clone())?.chunks(BATCH);
         let stiffness = springs.stiffness.get(range.clone())?.chunks(BATCH);
         let damping = springs.damping.get(range.clone())?.chunks(BATCH);
         let rest_length = springs.rest_length.get(range)?.chunks(BATCH);
-        let mut difference = [[R::ZERO; 8]; BATCH];
-        let mut q = [R::ZERO; BATCH];
+        let Batch { differences, columns, force_densities } = &mut self.batch;
         let mut degenerate = 0;
         for (ends, laws) in ends.zip(stiffness.zip(damping).zip(rest_length)) {
-            for (d, [i, j]) in difference.iter_mut().zip(ends) {
+            for (d, [i, j]) in differences.as_flattened_mut().iter_mut().zip(ends) {
                 let (from, to) = (held(&self.states, *i), held(&self.states, *j));
                 for (d, (from, to)) in d.iter_mut().zip(from.into_iter().zip(to)) {
                     *d = to - from;
                 }
             }
+            for (eight, rows) in differences.iter().enumerate() {
+                for (column, turned) in columns.iter_mut().zip(set.turn(rows)) {
+                    if let Some(to) = column.get_mut(8 * eight..8 * eight + 8) {
+                        to.copy_from_slice(&turned);
+                    }
+                }
+            }
             let ((stiffness, damping), rest_length) = laws;
             let laws = triples([stiffness, damping, rest_length]);
-            for ((q, [x, y, z, _, _, u, v, w]), [stiffness, damping, rest_length]) in
-                q.iter_mut().zip(&difference).zip(laws)
-            {
+            let [x, y, z, u, v, w] = columns.each_ref().map(<[R; BATCH]>::as_slice);
+            let states = triples([x, y, z]).zip(triples([u, v, w]));
+            for ((q, (d, v)), [stiffness, damping, rest_length]) in force_densities.iter_mut().zip(states).zip(laws) {
                 let law = Law { stiffness, damping, rest_length };
-                let (density, has_direction) = force_density::<R, DAMPED>(law, [*x, *y, *z], [*u, *v, *w]);
+                let (density, has_direction) = force_density::<R, DAMPED>(law, d, v);
                 *q = density;
                 degenerate += u32::from(!has_direction);
             }
-            for (([x, y, z, rest, ..], q), [i, j]) in difference.iter().zip(&q).zip(ends) {
+            for (([x, y, z, rest, ..], q), [i, j]) in differences.as_flattened().iter().zip(&*force_densities).zip(ends) {
                 let force = [x, y, z, rest].map(|d| *q * *d);
                 for (sum, force) in held_mut(&mut self.above, *i).into_iter().flatten().zip(force) {
                     *sum += force;

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel, Lanes};
+use crate::lanes::{self, Kernel, Lanes, Set};
 use crate::shared::Divisible;
 use crate::vectors::{Columns, ColumnsMut, cut, split};
 
@@ -28,7 +28,7 @@ impl<R: Real> Kernel for Drift<'_, R> {
     type Output = Option<bool>;
 
     #[inline(always)]
-    fn run(self) -> Option<bool> {
+    fn run(self, _set: impl Set) -> Option<bool> {
         let Self { dt, slots, position, velocity, acceleration, next_position, predicted, .. } = self;
         let half = R::from_f64(0.5) * dt;
         let state = cut(position, slots.clone())?.into_iter().zip(cut(velocity, slots.clone())?);
@@ -89,7 +89,7 @@ impl<R: Real> Kernel for Kick<'_, R> {
     type Output = Option<bool>;
 
     #[inline(always)]
-    fn run(self) -> Option<bool> {
+    fn run(self, _set: impl Set) -> Option<bool> {
         let Self { dt, slots, velocity, acceleration, next_acceleration, next_velocity, .. } = self;
         let half = R::from_f64(0.5) * dt;
         let accelerations = cut(acceleration, slots.clone())?.into_iter().zip(cut(next_acceleration, slots.clone())?);
