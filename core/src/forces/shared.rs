@@ -4,9 +4,11 @@ use core::ops::Range;
 
 use super::tiles::{Accelerations, Outcome, Then};
 use super::window::{self, Window};
+use crate::lanes::Lanes;
 use crate::Real;
 use crate::shared::Divisible;
 use crate::vectors::split;
+use crate::world::System;
 
 /// Each half writes to its own particles alone, and goes through the springs that pull at them in the same order as
 /// the whole would: the bits are the same. What both need of a spring across the cut is worked out twice.
@@ -46,5 +48,7 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
 #[inline(never)]
 fn through_window<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
     let mut window = Window::new();
-    Accelerations { window: Some(&mut window), ..work }.go_through().unwrap_or_default()
+    // What a window writes in vectors of AVX2 is read right after: wider ones would wait until it has left the store buffer.
+    let system = &System { lanes: work.system.lanes.min(Lanes::Avx2), ..*work.system };
+    Accelerations { system, window: Some(&mut window), ..work }.go_through().unwrap_or_default()
 }

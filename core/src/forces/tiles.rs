@@ -50,6 +50,17 @@ pub struct Accelerations<'a, R, T> {
     pub window: Option<&'a mut Window<R>>,
 }
 
+/// Forces that are no particle's yet, aligned, so that no vector lies across two lines of the cache.
+#[repr(C, align(64))]
+struct Room<R> {
+    from_above: [[R; TILE as usize]; 3],
+    nowhere: [[R; TILE as usize]; 3],
+}
+
+impl<R: Real> Room<R> {
+    const ZERO: Self = Self { from_above: [[R::ZERO; TILE as usize]; 3], nowhere: [[R::ZERO; TILE as usize]; 3] };
+}
+
 /// What came of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outcome {
@@ -66,8 +77,7 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
-        let mut room = [const { [[R::ZERO; TILE as usize]; 3] }; 2];
-        let [from_above, nowhere] = &mut room;
+        let Room { from_above, nowhere } = &mut Room::<R>::ZERO;
         let mut sweep = Sweep::reaching(&system.springs, system.plan.span, pulled.start);
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);
