@@ -3,7 +3,7 @@
 use super::bounce::{Bounces, Flight, MOST_BOUNCES, Path, half_square};
 use super::due::BLOCK;
 use crate::Real;
-use crate::vectors::{ColumnsMut, at, cut_mut, dot, fetch, lend, put, read, store};
+use crate::vectors::{ColumnsMut, at, cut_mut, dot, fetch, lend, put, read, window};
 use crate::world::{System, View};
 
 /// Bounces that would all end within this time, in s, are summed when the first of them comes. The sum is exact at
@@ -24,6 +24,8 @@ pub struct Events<'a, R> {
     pub acceleration: ColumnsMut<'a, R>,
     /// Along which axes that is gravity's for every particle: nobody need read it.
     pub uniform: &'a mut [bool; 3],
+    /// Along which axes nothing moves, nor can be made to: what is written of them stays.
+    pub still: &'a mut [bool; 3],
     /// When the last event was, s.
     pub since: &'a mut [f64],
     /// How long after that the next one will be, s; infinite if there is none, and with its sign changed for a particle
@@ -39,6 +41,8 @@ impl<R: Real> Events<'_, R> {
     /// All flights begin from the current state, at the time `now`.
     pub fn begin(&mut self, view: &View<'_, R>, now: f64) {
         *self.uniform = [true; 3];
+        // What the flights begin from is recorded along all axes.
+        *self.still = [false; 3];
         for index in 0..view.system.plan.free() {
             let slot = view.system.plan.attached + index;
             let flight = Flight {
@@ -47,6 +51,7 @@ impl<R: Real> Events<'_, R> {
             };
             self.set(&view.system, &Path::of(&view.system, slot, half()), index, flight, now);
         }
+        *self.still = still(view);
         // Each block is looked at before the next state is written.
         self.earliest.fill(now);
     }
@@ -62,6 +67,7 @@ impl<R: Real> Events<'_, R> {
             velocity: cut_mut(lend(&mut self.velocity), all.clone())?,
             acceleration: cut_mut(lend(&mut self.acceleration), all)?,
             uniform: self.uniform,
+            still: self.still,
             since: self.since.get_mut(items.clone())?,
             tau: self.tau.get_mut(items.clone())?,
             plane: self.plane.get_mut(items)?,
@@ -134,8 +140,13 @@ impl<R: Real> Events<'_, R> {
     /// Records an event but for the acceleration after it, and the next one: how long after it, and on which plane.
     #[inline(always)]
     pub fn record(&mut self, index: u32, flight: Flight<R>, now: f64, tau: R, plane: u32) {
-        store(&mut self.position, index, flight.position);
-        store(&mut self.velocity, index, flight.velocity);
+        let columns = self.position.iter_mut().zip(&mut self.velocity).zip(&*self.still);
+        for (((position, velocity), still), (x, v)) in columns.zip(flight.position.into_iter().zip(flight.velocity)) {
+            if !still {
+                put(position, index, x);
+                put(velocity, index, v);
+            }
+        }
         put(self.since, index, now);
         put(self.tau, index, tau);
         put(self.plane, index, plane);
@@ -181,6 +192,27 @@ impl<R: Real> Events<'_, R> {
             put(self.plane, index, named | SETTLES);
         }
     }
+}
+
+/// Along which axes no particle in free flight moves, gravity pulls at none and no plane can throw one back.
+///
+/// Zeros are told by their signs: whatever zero is added to what this finds, the bits stay.
+fn still<R: Real>(view: &View<'_, R>) -> [bool; 3] {
+    let slots = view.system.plan.attached..view.system.plan.particles;
+    let position = window(read(&view.current.position), slots.clone());
+    let velocity = window(read(&view.current.velocity), slots);
+    let mut still = view.system.gravity.map(|gravity| gravity == R::ZERO);
+    for plane in view.system.planes {
+        for (still, normal) in still.iter_mut().zip(plane.normal) {
+            *still &= normal == R::ZERO;
+        }
+    }
+    for (still, (x, v)) in still.iter_mut().zip(position.into_iter().zip(velocity)) {
+        let rests = |v: &R| v.to_f64().to_bits() == 0.0_f64.to_bits();
+        let keeps = |x: &R| x.to_f64().to_bits() != (-0.0_f64).to_bits();
+        *still = *still && v.iter().all(rests) && x.iter().all(keeps);
+    }
+    still
 }
 
 /// β of the exact path.

@@ -2,7 +2,7 @@
 //! for and the bounces there are.
 
 use super::coast::coast;
-use super::due::BLOCK;
+use super::due::{BLOCK, Due};
 use super::events::Events;
 use super::extent::Extent;
 use super::pass::{Pass, settle};
@@ -20,6 +20,9 @@ pub struct Flights<R: Real, M: Storage> {
     velocity: [M::Particles<R>; 3],
     acceleration: [M::Particles<R>; 3],
     uniform: [bool; 3],
+    still: [bool; 3],
+    /// Which of the owner's two states hold what is still.
+    holds_still: [bool; 2],
     since: M::Particles<f64>,
     tau: M::Particles<R>,
     plane: M::Particles<u32>,
@@ -47,6 +50,8 @@ impl<R: Real, M: Storage> Flights<R, M> {
             velocity: [const { Column::EMPTY }; 3],
             acceleration: [const { Column::EMPTY }; 3],
             uniform: [true; 3],
+            still: [false; 3],
+            holds_still: [false; 2],
             since: Column::EMPTY,
             tau: Column::EMPTY,
             plane: Column::EMPTY,
@@ -107,6 +112,8 @@ impl<R: Real, M: Storage> Flights<R, M> {
     /// All flights begin anew from the current state, at the time `now`.
     fn begin(&mut self, view: &View<'_, R>, now: f64) {
         self.events().begin(view, now);
+        // What the flights begin from has been written by others.
+        self.holds_still = [0, 1].map(|state| state == *view.front);
         self.extent = Extent::of(view, now);
         (self.lost, self.told) = (0.0, 0.0);
         self.unreported = [0; 2];
@@ -121,16 +128,31 @@ impl<R: Real, M: Storage> Flights<R, M> {
             position: split(lend(position), system.plan.attached).1,
             velocity: split(lend(velocity), system.plan.attached).1,
         };
-        let passed = lanes::run(system.lanes, Pass { system, time, events: self.events() });
+        // What is passed is looked at again right away, while it is in the caches.
+        let axes = self.axes_to_write(*view.front ^ 1);
+        let mut due = Due::NOTHING;
+        let mut particles = 0..0;
+        while particles.end < system.plan.free() {
+            let block = particles.end / BLOCK as u32;
+            let passed = lanes::run(system.lanes, Pass { system, time, events: self.events(), block, due: &mut due });
+            particles = particles.end..passed.block.saturating_mul(BLOCK as u32).min(system.plan.free());
+            let next = State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) };
+            coast(system, &self.events(), particles.clone(), time, axes, next);
+            self.lost += passed.lost;
+            let [hits, capped] = &mut self.unreported;
+            *hits = hits.saturating_add(passed.hits);
+            *capped = capped.saturating_add(passed.capped);
+        }
         let events = self.events();
-        coast(system, &events, time, State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) });
         let pending = settle(system, &events, time, &mut next);
         view.is_next_finite = self.extent.is_finite_at::<R>(time);
-        let [hits, capped] = &mut self.unreported;
-        *hits = hits.saturating_add(passed.hits);
-        *capped = capped.saturating_add(passed.capped);
-        self.lost += passed.lost;
         pending
+    }
+
+    /// Along which axes states are to be written to one of the owner's two.
+    fn axes_to_write(&mut self, state: usize) -> [bool; 3] {
+        let held = self.holds_still.get_mut(state).is_some_and(|held| core::mem::replace(held, true));
+        self.still.map(|still| !(still && held))
     }
 
     fn events(&mut self) -> Events<'_, R> {
@@ -139,6 +161,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
             velocity: self.velocity.each_mut().map(Column::items_mut),
             acceleration: self.acceleration.each_mut().map(Column::items_mut),
             uniform: &mut self.uniform,
+            still: &mut self.still,
             since: self.since.items_mut(),
             tau: self.tau.items_mut(),
             plane: self.plane.items_mut(),

@@ -7,13 +7,16 @@ use crate::lanes::{Kernel, Set};
 use crate::vectors::{at, store};
 use crate::world::{State, System};
 
-/// Passes all that is due.
+/// Passes what is due, for as many particles as can be listed together.
 pub struct Pass<'a, R: Real> {
     pub system: &'a System<'a, R>,
     /// s
     pub time: f64,
     /// Up to then, once this has run.
     pub events: Events<'a, R>,
+    /// The block of particles to begin with.
+    pub block: u32,
+    pub due: &'a mut Due,
 }
 
 /// What happened on the way.
@@ -25,6 +28,8 @@ pub struct Passed {
     pub hits: u32,
     /// Particles that had too many of them.
     pub capped: u32,
+    /// The block that this did not come to.
+    pub block: u32,
 }
 
 impl<R: Real> Kernel for Pass<'_, R> {
@@ -32,24 +37,21 @@ impl<R: Real> Kernel for Pass<'_, R> {
 
     #[inline(always)]
     fn run(mut self, _set: impl Set) -> Passed {
-        let mut passed = Passed::default();
-        let mut due = Due::NOTHING;
-        let mut block = 0;
-        while (block as usize) < self.events.earliest.len() {
-            block = due.list(&mut self.events, block, self.time);
-            self.events.pass_together(self.system, &mut due, self.time);
-            for (index, bounces) in due.each() {
-                if self.events.due(index) <= self.time {
-                    self.events.pass_until(self.system, index, self.time, bounces);
-                }
+        let Self { system, time, due, .. } = self;
+        let block = due.list(&mut self.events, self.block, time);
+        let mut passed = Passed { block, ..Passed::default() };
+        self.events.pass_together(system, due, time);
+        for (index, bounces) in due.each() {
+            if self.events.due(index) <= time {
+                self.events.pass_until(system, index, time, bounces);
             }
-            let Some(mut events) = self.events.lend() else { break };
-            for (index, bounces) in due.each() {
-                passed.lost += at(self.system.mass, self.system.plan.attached + index).to_f64() * bounces.lost;
-                passed.hits = passed.hits.saturating_add(bounces.hits);
-                passed.capped = passed.capped.saturating_add(u32::from(bounces.capped));
-                events.foresee(index);
-            }
+        }
+        let Some(mut events) = self.events.lend() else { return passed };
+        for (index, bounces) in due.each() {
+            passed.lost += at(system.mass, system.plan.attached + index).to_f64() * bounces.lost;
+            passed.hits = passed.hits.saturating_add(bounces.hits);
+            passed.capped = passed.capped.saturating_add(u32::from(bounces.capped));
+            events.foresee(index);
         }
         passed
     }

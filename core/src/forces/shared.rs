@@ -4,8 +4,8 @@ use core::ops::Range;
 
 use super::tiles::{Accelerations, Outcome, Then};
 use super::window::{self, Window};
-use crate::lanes::Lanes;
 use crate::Real;
+use crate::lanes::Lanes;
 use crate::shared::Divisible;
 use crate::vectors::split;
 use crate::world::System;

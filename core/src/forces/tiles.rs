@@ -77,7 +77,8 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
-        let Room { from_above, nowhere } = &mut Room::<R>::ZERO;
+        let mut room = Room::ZERO;
+        let Room { from_above, nowhere } = &mut room;
         let mut sweep = Sweep::reaching(&system.springs, system.plan.span, pulled.start);
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);

@@ -144,7 +144,8 @@ impl<R: Real> Window<R> {
                 *q = density;
                 degenerate += u32::from(!has_direction);
             }
-            for (([x, y, z, rest, ..], q), [i, j]) in differences.as_flattened().iter().zip(&*force_densities).zip(ends) {
+            for (([x, y, z, rest, ..], q), [i, j]) in differences.as_flattened().iter().zip(&*force_densities).zip(ends)
+            {
                 let force = [x, y, z, rest].map(|d| *q * *d);
                 for (sum, force) in held_mut(&mut self.above, *i).into_iter().flatten().zip(force) {
                     *sum += force;
