@@ -3,6 +3,7 @@
 
 pub mod interleaved;
 pub mod mesh;
+pub mod native;
 pub mod scenes;
 pub mod skips;
 pub mod stamp;

@@ -80,6 +80,14 @@ pub fn balls(count: u32) -> Model {
     ))
 }
 
+/// The same, moving sideways too: [`balls`] fall straight, and need only one axis.
+#[must_use]
+pub fn thrown_balls(count: u32) -> Model {
+    let mut model = balls(count);
+    model.particles.iter_mut().for_each(|particle| particle.velocity = [1.0, 0.5, 0.0]);
+    model
+}
+
 /// What a scene file makes.
 ///
 /// # Panics

@@ -5,7 +5,7 @@ use hooke_runner::model::{Hold, Model, ModelPlane};
 use hooke_runner::scene::StepperName;
 use hooke_runner::simulate::{AnyStepper, HeapWorld, world};
 
-use crate::scenes::{GRAVITY, balls, cloth, ropes};
+use crate::scenes::{GRAVITY, balls, cloth, ropes, thrown_balls};
 
 /// Takes so many steps.
 pub type Steps = Box<dyn FnMut(u32)>;
@@ -40,7 +40,7 @@ const TOLERANCE: f64 = 1e-6;
 const HEIGHT: f64 = 1.0;
 
 /// All of them.
-pub const PAIRS: [Pair; 12] = [
+pub const PAIRS: [Pair; 13] = [
     gain("gravity", || plain(&cloth(64, 0.05)), || steps(&cloth(64, 0.05), [0.0; 3], euler())),
     gain("springs", || plain(&cloth(64, 0.05)), || plain(&changed(|model| model.springs.clear()))),
     gain("damping", || plain(&cloth(64, 0.05)), || plain(&cloth(64, 0.0))),
@@ -52,8 +52,9 @@ pub const PAIRS: [Pair; 12] = [
         || plain(&changed(|model| planes(model, HEIGHT - 1e-6))),
         || plain(&changed(|model| planes(model, -100.0))),
     ),
-    gain("particles that move", || plain(&cloth(64, 0.05)), || plain(&changed(pin_half))),
+    gain("particles that are not pinned", || plain(&cloth(64, 0.05)), || plain(&changed(pin_half))),
     gain("steps of free particles", || frames(euler(), 16), || frames(StepperName::Auto, 1)),
+    gain("axes that particles move along", || flights(&thrown_balls(10_000)), || flights(&balls(10_000))),
     gain("islands awake", || ropes_at_rest(None), || ropes_at_rest(Some(Sleep::below(0.05).after(0.04)))),
     cost("whether planes are in reach", || plain(&changed(|model| planes(model, -100.0))), || plain(&cloth(64, 0.05))),
     cost("whether islands rest", || cloth_that_may_sleep(true), || cloth_that_may_sleep(false)),
@@ -109,6 +110,11 @@ fn steps(model: &Model, gravity: [f64; 3], stepper: StepperName) -> Steps {
 /// Balls over a plane, each step a sixtieth of a second, taken in so many parts.
 fn frames(stepper: StepperName, parts: u16) -> Steps {
     stepping(built(&balls(10_000), GRAVITY), stepper, 1.0 / 60.0 / f32::from(parts), parts.into())
+}
+
+/// A sixtieth of a second each.
+fn flights(model: &Model) -> Steps {
+    stepping(built(model, GRAVITY), StepperName::Auto, 1.0 / 60.0, 1)
 }
 
 /// Ropes that lie still, without gravity, one in a hundred of which swings.

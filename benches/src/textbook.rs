@@ -134,6 +134,8 @@ impl<V: Vector> Textbook<V> {
     }
 
     /// v' = v + dt·a(x, v); x' = x + dt·v'; then the collisions. `time_step` in s.
+    // Part of whatever it is compiled into: see `native`.
+    #[inline(always)]
     pub fn step_semi_implicit_euler(&mut self, time_step: V::Real) {
         self.compute_forces();
         for particle in &mut self.particles {
@@ -145,6 +147,7 @@ impl<V: Vector> Textbook<V> {
     }
 
     /// f = m g, then F = (k (l − `l_rest`) + `k_d` l̇) d̂ added at i and subtracted at j.
+    #[inline(always)]
     fn compute_forces(&mut self) {
         for particle in &mut self.particles {
             particle.force = self.gravity * particle.mass;
@@ -167,6 +170,7 @@ impl<V: Vector> Textbook<V> {
     }
 
     /// A particle is hit when n·x < offset while n·v < 0; a pinned one has no velocity, so it never is.
+    #[inline(always)]
     fn collide(&mut self) {
         if self.planes.is_empty() {
             return;

@@ -11,6 +11,7 @@ use std::path::Path;
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Lanes, Project, Real};
 use hooke_benches::interleaved::{Contender, least_times};
+use hooke_benches::native;
 use hooke_benches::scenes::{GRAVITY, STEP};
 use hooke_benches::stamp::stamp;
 use hooke_benches::textbook::{Response, Textbook};
@@ -24,6 +25,8 @@ const TIME_STEP: f64 = 1e-4;
 /// Relative; none of these steppers asks for it.
 const TOLERANCE: f64 = 1e-6;
 const ROUNDS: u32 = 7;
+/// What the names of its contenders begin with.
+const TEXTBOOK: &str = "textbook";
 
 fn main() -> std::io::Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).collect();
@@ -49,6 +52,9 @@ fn race(name: &str, model: &Model, csv: &mut String) {
         textbook::<Vec3>("Vec3 f32", model),
         textbook::<Vec3A>("Vec3A f32", model),
         textbook::<DVec3>("DVec3 f64", model),
+        native_textbook::<Vec3>("Vec3 f32", model),
+        native_textbook::<Vec3A>("Vec3A f32", model),
+        native_textbook::<DVec3>("DVec3 f64", model),
         ours::<f32>("f32 baseline", model, euler, Lanes::Baseline, 1),
         ours::<f32>("f32 AVX2", model, euler, Lanes::Avx2, 1),
         ours::<f32>("f32", model, euler, Lanes::Avx512, 1),
@@ -58,16 +64,17 @@ fn race(name: &str, model: &Model, csv: &mut String) {
     // Long enough that a thread which has been asleep is at work for most of it.
     let steps = (16_000_000 / items).clamp(3, 8000) as u32;
     let times = least_times(&mut contenders, ROUNDS, steps);
-    let single = times[0].min(times[1]);
+    let [single, double] = ["f32", "f64"].map(|precision| least_of_textbooks(precision, &contenders, &times));
     println!("{name}: {springs} springs, {particles} particles");
     let mut tell = |contender: &str, time: f64, told: String| {
         let each = time / items as f64;
         println!("  {contender:24}{each:8.2} ns per {} {told}", if springs > 0 { "spring" } else { "particle" });
         let _ = writeln!(csv, "{name},{contender},{springs},{particles},{time:.0}");
     };
-    for (index, ((contender, _), time)) in contenders.iter().zip(&times).enumerate() {
-        let rival = if contender.contains("f64") { times[2] } else { single };
-        let ratio = if index < 3 { String::new() } else { format!("{:6.2} times the textbook", rival / time) };
+    for ((contender, _), time) in contenders.iter().zip(&times) {
+        let rival = if contender.contains("f64") { double } else { single };
+        let is_rival = contender.starts_with(TEXTBOOK);
+        let ratio = if is_rival { String::new() } else { format!("{:6.2} times the textbook", rival / time) };
         tell(contender, *time, ratio);
     }
     // Between themselves: a core that has been left idle for the others' turns takes its time to come back.
@@ -79,14 +86,39 @@ fn race(name: &str, model: &Model, csv: &mut String) {
     }
 }
 
+/// The time of the fastest textbook loop of a precision.
+fn least_of_textbooks(precision: &str, contenders: &[Contender<'_>], times: &[f64]) -> f64 {
+    let rivals = contenders.iter().zip(times);
+    let rivals = rivals.filter(|((name, _), _)| name.starts_with(TEXTBOOK) && name.contains(precision));
+    rivals.fold(f64::INFINITY, |least, (_, time)| least.min(*time))
+}
+
 fn textbook<V: Vector + 'static>(label: &str, model: &Model) -> Contender<'static>
+where
+    V::Real: Scalar + 'static,
+{
+    stepping(format!("{TEXTBOOK} {label}"), model, Textbook::<V>::step_semi_implicit_euler)
+}
+
+/// The same, compiled for the widest vectors of this machine.
+fn native_textbook<V: Vector + 'static>(label: &str, model: &Model) -> Contender<'static>
+where
+    V::Real: Scalar + 'static,
+{
+    stepping(format!("{TEXTBOOK} {label} native"), model, native::step_semi_implicit_euler::<V>)
+}
+
+fn stepping<V: Vector + 'static>(
+    name: String,
+    model: &Model,
+    step: impl Fn(&mut Textbook<V>, V::Real) + 'static,
+) -> Contender<'static>
 where
     V::Real: Scalar + 'static,
 {
     let mut textbook = Textbook::<V>::new(model, GRAVITY, Response::Project).expect("no keyframes");
     let dt = V::Real::from_f64(TIME_STEP);
-    let step = move |steps| (0..steps).for_each(|_| textbook.step_semi_implicit_euler(dt));
-    (format!("textbook {label}"), Box::new(step))
+    (name, Box::new(move |steps| (0..steps).for_each(|_| step(&mut textbook, dt))))
 }
 
 fn ours<R: Real>(label: &str, model: &Model, stepper: StepperName, lanes: Lanes, threads: u32) -> Contender<'static> {

@@ -45,7 +45,7 @@ impl<R: Real> System<'_, R> {
         report: &mut StepReport,
         then: impl Then<R>,
     ) -> bool {
-        if self.plan.springs > 0 {
+        if self.plan.live() > 0 {
             report.force_evaluations += 1;
         }
         let slots = 0..self.plan.particles;

@@ -32,7 +32,7 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
 
     fn alone(self) -> Outcome {
         let plan = &self.system.plan;
-        if window::pays(plan.springs - plan.on_diagonals) {
+        if window::pays(plan.live() - plan.on_diagonals) {
             through_window(self)
         } else {
             self.go_through().unwrap_or_default()

@@ -79,7 +79,7 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let mut outcome = Outcome { degenerate: 0, finite: true };
         let mut room = Room::ZERO;
         let Room { from_above, nowhere } = &mut room;
-        let mut sweep = Sweep::reaching(&system.springs, system.plan.span, pulled.start);
+        let mut sweep = Sweep::reaching(&system.springs.first(system.plan.live()), system.plan.span, pulled.start);
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);
             let is_ours = tile.start >= pulled.start;

@@ -2,7 +2,7 @@
 
 use super::clock::Clock;
 use super::layout::{ParticleColumns, SpringColumns};
-use super::order::order;
+use super::order::{is_idle, order};
 use super::pieces::{Found, Ordered};
 use super::plan::Plan;
 use super::prepare::{Layout, list_incidences, partition};
@@ -218,7 +218,12 @@ impl<R: Real, M: Storage> Container<R, M> {
         let slot = self.slot(particle)?;
         let mass = at(self.particles.mass.items(), slot);
         let inverse = if hold == Hold::Free { R::ONE / mass } else { R::ZERO };
+        let before = at(self.particles.inverse_mass.items(), slot);
         put(self.particles.inverse_mass.items_mut(), slot, inverse);
+        if (before == R::ZERO) != (inverse == R::ZERO) && self.hangs_on_held(slot) {
+            // The springs between them take part in steps, or do not any more.
+            self.plan = None;
+        }
         if hold == Hold::Pinned {
             let (_, mut velocities) = self.current_mut();
             store(&mut velocities, slot, [R::ZERO; 3]);
@@ -339,7 +344,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// Sorts particles into slots, and lists their springs. Returns what a plan says of that.
     fn lay_out(&mut self) -> Plan {
         let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep.is_some());
-        order(&mut self.springs, layout.first_asleep());
+        order(&mut self.springs, self.particles.inverse_mass.items(), layout.first_asleep());
         list_incidences(&mut self.particles, &mut self.springs);
         let Layout { particles, attached, asleep, islands, islands_asleep, renumbered, .. } = layout;
         Plan {
@@ -365,14 +370,18 @@ impl<R: Real, M: Storage> Container<R, M> {
         let Plan { particles, attached, asleep, .. } = laid_out;
         let first_asleep = particles - asleep;
         let springs = self.springs.ends.items().partition_point(|[_, j]| *j < first_asleep);
-        let (on_diagonals, pieces) = self.find_pieces(attached - asleep, springs);
-        let awake = self.springs.ends.items().iter().take(springs);
+        let awake = self.springs.ends.items().get(..springs).unwrap_or_default();
+        let inverse_mass = self.particles.inverse_mass.items();
+        let live = awake.partition_point(|ends| !is_idle(*ends, inverse_mass));
+        let span = awake.iter().take(live).map(|[i, j]| j - i).max().unwrap_or(0);
+        let (on_diagonals, pieces) = self.find_pieces(attached - asleep, live);
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             springs: self.springs.count(),
             on_diagonals,
-            span: awake.map(|[i, j]| j - i).max().unwrap_or(0),
+            idle: (springs - live) as u32,
+            span,
             pieces,
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,
@@ -430,6 +439,14 @@ impl<R: Real, M: Storage> Container<R, M> {
         let springs = self.springs.incidences.items().as_flattened();
         let neighbours = incidences_of(slot, incidence_end.items(), springs).iter().map(|spring| spring.neighbour);
         neighbours.filter(is_dynamic).for_each(touch);
+    }
+
+    /// Whether a spring leads from a particle to a held one.
+    fn hangs_on_held(&self, slot: u32) -> bool {
+        let ParticleColumns { inverse_mass, incidence_end, .. } = &self.particles;
+        let springs = self.springs.incidences.items().as_flattened();
+        let mut of_slot = incidences_of(slot, incidence_end.items(), springs).iter();
+        of_slot.any(|spring| at(inverse_mass.items(), spring.neighbour) == R::ZERO)
     }
 
     /// Touches all particles.

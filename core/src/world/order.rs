@@ -12,9 +12,9 @@ use super::storage::{Column, Storage};
 use crate::Real;
 use crate::vectors::{at, put};
 
-/// Sorts springs into that order, in place; those of particles that sleep, in the slots from `asleep` on, after all
-/// others.
-pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, asleep: u32) {
+/// Sorts springs into that order, in place; those between two held particles, which move nothing, after all others, and
+/// those of particles that sleep, in the slots from `asleep` on, after these.
+pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, inverse_mass: &[R], asleep: u32) {
     let SpringColumns { ends, stiffness, damping, rest_length, number, incidences, .. } = springs;
     let (ends, number) = (ends.items_mut(), number.items_mut());
     for [i, j] in ends.iter_mut() {
@@ -22,7 +22,9 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, asleep: u32
             core::mem::swap(i, j);
         }
     }
-    let key = |[i, j]: [u32; 2], number: u32| (j >= asleep, i / TILE, u32::MAX - (j - i), i, number);
+    let key = |[i, j]: [u32; 2], number: u32| {
+        (j >= asleep, is_idle([i, j], inverse_mass), i / TILE, u32::MAX - (j - i), i, number)
+    };
     let keys = || ends.iter().zip(number.iter()).map(|(ends, number)| key(*ends, *number));
     if keys().is_sorted() {
         return;
@@ -36,6 +38,11 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, asleep: u32
     room.sort_unstable_by_key(|[ends, spring]| key([ends.neighbour, ends.spring], spring.neighbour));
     let columns = [stiffness, damping, rest_length].map(Column::items_mut);
     follow(room, ends, number, columns);
+}
+
+/// Whether a spring moves nothing, as both its ends are held.
+pub fn is_idle<R: Real>([i, j]: [u32; 2], inverse_mass: &[R]) -> bool {
+    at(inverse_mass, i) == R::ZERO && at(inverse_mass, j) == R::ZERO
 }
 
 /// Puts the spring that each item of `room` names in that item's place, cycle by cycle.

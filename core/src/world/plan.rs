@@ -27,6 +27,8 @@ pub struct Plan {
     pub held: u32,
     /// Springs: without any, both force passes are left out.
     pub springs: u32,
+    /// Springs between two held particles: they move nothing, and no step looks at them.
+    pub idle: u32,
     /// Springs with damping: without any, the force passes read no velocities.
     pub damped: Coverage,
     /// Springs on diagonals: their particles are contiguous, so that whole vectors of them are stepped at once.
@@ -72,6 +74,12 @@ impl Plan {
             springs_asleep: 0,
             ..*self
         }
+    }
+
+    /// Springs that steps look at.
+    #[must_use]
+    pub fn live(&self) -> u32 {
+        self.springs - self.springs_asleep - self.idle
     }
 
     /// How many of the springs are damped.

@@ -112,7 +112,7 @@ impl<'a, R: Real> Springs<'a, R> {
     }
 
     /// The first so many.
-    fn first(self, count: u32) -> Self {
+    pub fn first(self, count: u32) -> Self {
         let [ends] = window([self.ends], 0..count);
         let [stiffness, damping, rest_length] = window([self.stiffness, self.damping, self.rest_length], 0..count);
         Self { ends, stiffness, damping, rest_length, ..self }

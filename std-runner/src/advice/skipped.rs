@@ -17,7 +17,7 @@ pub fn needed(plan: &Plan) -> Vec<String> {
             Coverage::Some => "some of them damped",
             Coverage::All => "all of them damped",
         };
-        let springs = counted(u64::from(plan.springs), "spring");
+        let springs = counted(u64::from(plan.springs - plan.idle), "spring");
         lines.push(format!("the forces of {springs}, {damped}, on {}", counted(u64::from(plan.attached), "particle")));
     }
     if plan.planes > 0 {
@@ -43,6 +43,13 @@ pub fn skipped(plan: &Plan) -> Vec<String> {
                 "spring forces on {} of {}: {pulls}",
                 count(u64::from(free)),
                 counted(u64::from(plan.particles), "particle")
+            ));
+        }
+        if plan.idle > 0 {
+            lines.push(format!(
+                "spring forces of {} of {}: they lie between particles that are held",
+                count(u64::from(plan.idle)),
+                counted(u64::from(plan.springs), "spring")
             ));
         }
         if plan.on_diagonals > 0 {
