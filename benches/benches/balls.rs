@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Auto, Real, TimeOfImpact};
-use hooke_benches::native;
+use hooke_benches::avx2;
 use hooke_benches::scenes::{self, GRAVITY};
 use hooke_benches::textbook::{Response, Textbook};
 use hooke_benches::vector::{Scalar, Vector};
@@ -33,12 +33,12 @@ where
     stepping(model, Textbook::<V>::step_semi_implicit_euler)
 }
 
-/// Compiled for the widest vectors of this machine.
-fn native_textbook<V: Vector>(model: &Model) -> f64
+/// Compiled for AVX2.
+fn avx2_textbook<V: Vector>(model: &Model) -> f64
 where
     V::Real: Scalar,
 {
-    stepping(model, native::step_semi_implicit_euler::<V>)
+    stepping(model, avx2::step_semi_implicit_euler::<V>)
 }
 
 /// How long 10,000 steps take, s.
@@ -91,9 +91,9 @@ fn main() {
 fn race(name: &str, model: &Model) {
     println!("{name}");
     let single: [fn(&Model) -> f64; 5] =
-        [textbook::<Vec3>, textbook::<Vec3A>, native_textbook::<Vec3>, native_textbook::<Vec3A>, ours::<f32>];
-    tell("f32", ["Vec3", "Vec3A", "Vec3 native", "Vec3A native"], shortest(model, single));
-    tell("f64", ["DVec3", "DVec3 native"], shortest(model, [textbook::<DVec3>, native_textbook::<DVec3>, ours::<f64>]));
+        [textbook::<Vec3>, textbook::<Vec3A>, avx2_textbook::<Vec3>, avx2_textbook::<Vec3A>, ours::<f32>];
+    tell("f32", ["Vec3", "Vec3A", "Vec3 AVX2", "Vec3A AVX2"], shortest(model, single));
+    tell("f64", ["DVec3", "DVec3 AVX2"], shortest(model, [textbook::<DVec3>, avx2_textbook::<DVec3>, ours::<f64>]));
 }
 
 /// What the textbook loops took, and ours after them, s.

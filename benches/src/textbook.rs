@@ -134,7 +134,7 @@ impl<V: Vector> Textbook<V> {
     }
 
     /// v' = v + dt·a(x, v); x' = x + dt·v'; then the collisions. `time_step` in s.
-    // Part of whatever it is compiled into: see `native`.
+    // Part of whatever it is compiled into: see `avx2`.
     #[inline(always)]
     pub fn step_semi_implicit_euler(&mut self, time_step: V::Real) {
         self.compute_forces();

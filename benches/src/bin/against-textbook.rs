@@ -10,8 +10,8 @@ use std::path::Path;
 
 use glam::{DVec3, Vec3, Vec3A};
 use hooke::{Lanes, Project, Real};
+use hooke_benches::avx2;
 use hooke_benches::interleaved::{Contender, least_times};
-use hooke_benches::native;
 use hooke_benches::scenes::{GRAVITY, STEP};
 use hooke_benches::stamp::stamp;
 use hooke_benches::textbook::{Response, Textbook};
@@ -52,9 +52,9 @@ fn race(name: &str, model: &Model, csv: &mut String) {
         textbook::<Vec3>("Vec3 f32", model),
         textbook::<Vec3A>("Vec3A f32", model),
         textbook::<DVec3>("DVec3 f64", model),
-        native_textbook::<Vec3>("Vec3 f32", model),
-        native_textbook::<Vec3A>("Vec3A f32", model),
-        native_textbook::<DVec3>("DVec3 f64", model),
+        avx2_textbook::<Vec3>("Vec3 f32", model),
+        avx2_textbook::<Vec3A>("Vec3A f32", model),
+        avx2_textbook::<DVec3>("DVec3 f64", model),
         ours::<f32>("f32 baseline", model, euler, Lanes::Baseline, 1),
         ours::<f32>("f32 AVX2", model, euler, Lanes::Avx2, 1),
         ours::<f32>("f32", model, euler, Lanes::Avx512, 1),
@@ -100,12 +100,12 @@ where
     stepping(format!("{TEXTBOOK} {label}"), model, Textbook::<V>::step_semi_implicit_euler)
 }
 
-/// The same, compiled for the widest vectors of this machine.
-fn native_textbook<V: Vector + 'static>(label: &str, model: &Model) -> Contender<'static>
+/// The same, compiled for AVX2.
+fn avx2_textbook<V: Vector + 'static>(label: &str, model: &Model) -> Contender<'static>
 where
     V::Real: Scalar + 'static,
 {
-    stepping(format!("{TEXTBOOK} {label} native"), model, native::step_semi_implicit_euler::<V>)
+    stepping(format!("{TEXTBOOK} {label} AVX2"), model, avx2::step_semi_implicit_euler::<V>)
 }
 
 fn stepping<V: Vector + 'static>(
