@@ -1,9 +1,9 @@
 //! What a scene may not need, each as a pair: steps with it and steps without.
 
-use hooke::{Project, Sleep};
+use hooke::{Auto, Project, Sleep, TimeOfImpact};
 use hooke_runner::model::{Hold, Model, ModelPlane};
 use hooke_runner::scene::StepperName;
-use hooke_runner::simulate::{AnyStepper, HeapWorld, world};
+use hooke_runner::simulate::{AnyStepper, Heap, HeapWorld, world};
 
 use crate::scenes::{GRAVITY, balls, cloth, ropes, thrown_balls};
 
@@ -114,7 +114,13 @@ fn frames(stepper: StepperName, parts: u16) -> Steps {
 
 /// A sixtieth of a second each.
 fn flights(model: &Model) -> Steps {
-    stepping(built(model, GRAVITY), StepperName::Auto, 1.0 / 60.0, 1)
+    let mut world = built(model, GRAVITY);
+    let (mut auto, mut response) = (Auto::<f32, Heap>::new(TOLERANCE), TimeOfImpact::<f32, Heap>::new());
+    Box::new(move |steps| {
+        for _ in 0..steps {
+            world.step(&mut auto, &mut response, 1.0 / 60.0).expect("a step that can be taken");
+        }
+    })
 }
 
 /// Ropes that lie still, without gravity, one in a hundred of which swings.
