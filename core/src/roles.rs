@@ -14,6 +14,14 @@ pub trait Stepper<R: Real> {
         Ok(())
     }
 
+    /// Refuses a world that it cannot step.
+    ///
+    /// # Errors
+    /// If the world has what the stepper's rule does not know.
+    fn accept(&self, _plan: &Plan) -> Result<(), StepError> {
+        Ok(())
+    }
+
     /// Writes the state `dt` seconds after the current one to the next one. Planes are not its business.
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport;
 

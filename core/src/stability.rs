@@ -22,10 +22,38 @@ pub struct StabilityBound {
     /// The largest time step at which [`crate::ExplicitEuler`] can be stable, s: the least k_d/k of any spring, and no
     /// more than 2/γ. It is 0 where a spring is not damped, and motion across springs, which nothing damps, still grows.
     pub explicit_euler: f64,
-    /// The particle that limits the first two.
+    /// γ, the fastest rate at which anything is damped, 1/s.
+    pub damping_rate: f64,
+    /// The particle that limits Verlet and semi-implicit Euler.
     pub particle: u32,
     /// The stiffest spring at it, over its masses.
     pub spring: u32,
+}
+
+impl StabilityBound {
+    /// The largest time step at which [`crate::Rk4`] is stable, s.
+    #[must_use]
+    pub fn rk4(&self) -> f64 {
+        self.within_half_disc(2.615)
+    }
+
+    /// The largest time step at which [`crate::Dop853`] is stable, s.
+    #[must_use]
+    pub fn dop853(&self) -> f64 {
+        self.within_half_disc(5.96)
+    }
+
+    /// The largest time step at which [`crate::DormandPrinceRkn8`] is stable, s.
+    #[must_use]
+    pub fn dormand_prince_rkn8(&self) -> f64 {
+        3.14 / self.frequency
+    }
+
+    /// Where a method is stable in the left half of the disc |z| ≤ `radius`: every eigenvalue z solves z² + c z + k = 0
+    /// for some c up to γ and k up to ω², so |z| is no more than the larger of ω and γ.
+    fn within_half_disc(&self, radius: f64) -> f64 {
+        radius / self.frequency.max(self.damping_rate)
+    }
 }
 
 impl<R: Real> View<'_, R> {
@@ -58,6 +86,7 @@ pub(crate) fn bound<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> Op
         let (squared, gamma) = (largest_eigenvalue(blocks.stiffness), largest_eigenvalue(blocks.damping));
         let found = bound.get_or_insert(StabilityBound {
             frequency: 0.0,
+            damping_rate: 0.0,
             velocity_verlet: f64::INFINITY,
             semi_implicit_euler: f64::INFINITY,
             explicit_euler: f64::INFINITY,
@@ -71,6 +100,7 @@ pub(crate) fn bound<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> Op
             found.spring = blocks.stiffest.1;
         }
         found.semi_implicit_euler = found.semi_implicit_euler.min(limit(squared, 2.0 * gamma));
+        found.damping_rate = found.damping_rate.max(gamma);
         found.frequency = found.frequency.max(Real::sqrt(squared));
         found.explicit_euler = found.explicit_euler.min(blocks.relaxation).min(2.0 / gamma);
     }

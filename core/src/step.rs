@@ -85,6 +85,7 @@ impl<R: Real> View<'_, R> {
         if !(dt > R::ZERO && dt.is_finite()) {
             return Err(StepError::TimeStep);
         }
+        stepper.accept(&self.system.plan)?;
         stepper.fit(&self.system.plan)?;
         response.fit(&self.system.plan)?;
         self.end = end;

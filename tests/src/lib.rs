@@ -24,6 +24,7 @@ pub mod runs;
 pub mod scene_runs;
 pub mod scenes;
 pub mod stability;
+pub mod steppers;
 pub mod trusted;
 
 /// The example of the README is compiled and run.

@@ -9,6 +9,7 @@ use hooke_runner::model::{Hold, Model, ModelParticle, ModelSpring};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_tests::digest;
 use hooke_tests::runs::Run;
+use hooke_tests::steppers;
 
 /// Far too long for the fast ones of [`model`], and short enough for all.
 const LONG: f64 = 1e150;
@@ -32,7 +33,7 @@ fn model() -> Model {
 
 #[test]
 fn a_step_out_of_range_names_the_first_particle_and_leaves_everything() {
-    for &stepper in StepperName::ALL {
+    for stepper in steppers::all() {
         for &response in CollisionForm::ALL {
             let mut run = Run::<f64>::new(&model(), [0.0, 0.0, -9.81], stepper, response);
             let before = digest::of(&run.world.view());

@@ -10,6 +10,7 @@ use hooke_runner::model::Model;
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_runner::simulate::Threads;
 use hooke_tests::runs::Run;
+use hooke_tests::steppers;
 use hooke_tests::{digest, scenes};
 
 const GRAVITY: [f64; 3] = [0.3, 0.0, -9.81];
@@ -40,7 +41,7 @@ fn digest<R: Real>(model: &Model, stepper: StepperName, form: CollisionForm, lan
 }
 
 fn compare<R: Real>(model: &Model) {
-    for &stepper in StepperName::ALL {
+    for stepper in steppers::all() {
         for form in [CollisionForm::Reflect, CollisionForm::Project, CollisionForm::TimeOfImpact] {
             let expected = digest::<R>(model, stepper, form, Lanes::Baseline, 1);
             for lanes in [Lanes::Avx2, Lanes::Avx512] {

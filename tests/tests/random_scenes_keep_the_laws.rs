@@ -7,6 +7,7 @@ use hooke_runner::simulate::{AnyResponse, AnyStepper, Heap};
 use hooke_tests::digest;
 use hooke_tests::random::Random;
 use hooke_tests::random_scenes::RandomScene;
+use hooke_tests::steppers;
 
 type Room = Fixed<{ RandomScene::MOST[0] }, { RandomScene::MOST[1] }, { RandomScene::MOST[2] }>;
 
@@ -38,8 +39,8 @@ impl<R: Real, M: Storage> Run<R, M> {
 
 /// Every way to step a scene.
 fn ways() -> impl Iterator<Item = (StepperName, CollisionForm)> {
-    let forms = |stepper: &'static StepperName| CollisionForm::ALL.iter().map(move |form| (*stepper, *form));
-    StepperName::ALL.iter().flat_map(forms)
+    let forms = |stepper: StepperName| CollisionForm::ALL.iter().map(move |form| (stepper, *form));
+    steppers::all().flat_map(forms)
 }
 
 /// Of ordinary size, tiny, and huge and far from the origin.
@@ -178,7 +179,7 @@ fn steppers_take_turns() {
         scene.springs.iter_mut().for_each(|(_, [_, damping, _])| *damping = 0.0);
         for (number, (stepper, form)) in ways().enumerate() {
             let dt = scene.time_step();
-            let other = StepperName::ALL[(number + seed as usize) % StepperName::ALL.len()];
+            let other = steppers::all().cycle().nth(number + seed as usize).unwrap();
             let mut run = Run::<f64, Heap>::new(&scene, stepper, form);
             let mut fresh = Run::<f64, Heap>::new(&scene, stepper, form);
             let mut waiting = AnyStepper::named(other, 1e-9);

@@ -4,6 +4,7 @@
 use hooke::{Hold, Ledger, Particle, Plane, Project, Real, Sleep, Spring, VelocityVerlet};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_runner::simulate::{AnyResponse, AnyStepper, Heap, HeapWorld};
+use hooke_tests::steppers;
 
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 const STIFFNESS: f64 = 200.0;
@@ -110,7 +111,7 @@ fn the_awake_move_as_if_alone() {
 
 #[test]
 fn what_sleeps_stays() {
-    for &stepper in StepperName::ALL {
+    for stepper in steppers::all() {
         let mut world = empty::<f64>();
         let rope = hang(&mut world, [0.0, 0.0, 3.0], 5, [0.0; 3]);
         world.set_sleep(Some(soon())).unwrap();

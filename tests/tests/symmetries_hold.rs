@@ -9,6 +9,7 @@ use hooke_tests::measure;
 use hooke_tests::moment::Moment;
 use hooke_tests::problems::skew;
 use hooke_tests::runs::Run;
+use hooke_tests::steppers;
 
 const STEPS: usize = 500;
 const DT: f64 = 1e-3;
@@ -38,7 +39,7 @@ fn momenta(model: &Model, moment: &Moment) -> [DVec3; 2] {
 
 #[test]
 fn momentum_stays() {
-    for &stepper in StepperName::ALL {
+    for stepper in steppers::all() {
         for damping in [0.0, 0.5] {
             let model = flying(1, damping);
             let [before, after] =
@@ -54,7 +55,7 @@ fn momentum_stays() {
 /// Explicit and implicit Euler do not: they change it by dt² Σ v × f a step, and this must be seen.
 #[test]
 fn angular_momentum_stays_where_it_should() {
-    for &stepper in StepperName::ALL {
+    for stepper in steppers::all() {
         for damping in [0.0, 0.5] {
             let model = flying(2, damping);
             let [before, after] =
@@ -69,7 +70,7 @@ fn angular_momentum_stays_where_it_should() {
 /// In a scene that is moved, turned or listed backwards, only the rounding differs.
 #[test]
 fn place_direction_and_order_do_not_matter() {
-    for &stepper in StepperName::ALL {
+    for stepper in steppers::all() {
         let model = Graph::default().model(4);
         let expected = stepped(&model, GRAVITY, stepper);
         // Scenes of size 1, 500 steps, and the growth of a disturbance; implicit steps are solved to 1e-13, and their

@@ -74,6 +74,8 @@ pub enum SetError {
 pub enum StepError {
     /// The time step is not positive and finite.
     TimeStep,
+    /// The stepper is for worlds without damping.
+    Damped,
     /// The workspace of the stepper or of the response is too small for the world.
     Workspace(Full),
     /// The step would have made this particle's position or velocity infinite or NaN.
@@ -143,6 +145,7 @@ impl fmt::Display for StepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TimeStep => write!(f, "the time step is not positive and finite"),
+            Self::Damped => write!(f, "the stepper is for worlds without damping"),
             Self::Workspace(full) => write!(f, "the workspace is too small for the world: {full}"),
             Self::NonFinite { particle } => {
                 write!(f, "particle {particle} would become infinite or NaN")

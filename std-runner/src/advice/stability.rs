@@ -16,6 +16,9 @@ pub fn largest_stable_step(stepper: StepperName, bound: &StabilityBound) -> f64 
         StepperName::ExplicitEuler => bound.explicit_euler,
         StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
         StepperName::VelocityVerlet => bound.velocity_verlet,
+        StepperName::Rk4 => bound.rk4(),
+        StepperName::Dop853 => bound.dop853(),
+        StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
         StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised | StepperName::Auto => f64::INFINITY,
     }
 }

@@ -1,6 +1,6 @@
 //! `hooke check`: a scene explained.
 
-use hooke::{Choice, StabilityBound};
+use hooke::{Choice, Coverage, StabilityBound};
 
 use super::Outcome;
 use super::arguments::CheckArguments;
@@ -110,6 +110,12 @@ fn steppers(model: &Model, settings: &Settings, start: &Start, bound: &Stability
                 "from the least damping over stiffness; motion across springs still grows".to_owned(),
             ),
             StepperName::SemiImplicitEuler | StepperName::VelocityVerlet => (seconds(step), limit.clone()),
+            StepperName::DormandPrinceRkn8 if start.plan.damped != Coverage::None => {
+                ("none".to_owned(), "it is for scenes without damping".to_owned())
+            }
+            StepperName::Rk4 | StepperName::Dop853 | StepperName::DormandPrinceRkn8 => {
+                (seconds(step), "from the highest frequency and the fastest damping of any particle".to_owned())
+            }
             StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised => {
                 ("any".to_owned(), "the longer the step, the more motion it damps".to_owned())
             }

@@ -10,6 +10,7 @@ use crate::advice::{Advice, vanishing_time_step};
 use crate::model::Model;
 use crate::scene::{Overrides, Precision, Scene, Settings, TimeStep};
 use crate::simulate::{BuildError, MOST, Start};
+use crate::units::{count, counted};
 
 /// A scene that can be run.
 pub(super) struct Loaded {
@@ -28,6 +29,7 @@ impl Loaded {
             return Err(Failure::input(message, "use --precision f64, or a time step nearer to 1 s"));
         }
         let model = scene.model()?;
+        refuse_damping(scene.settings(), &model)?;
         Ok(Self { scene, model })
     }
 
@@ -44,6 +46,21 @@ impl Loaded {
         let settings = self.scene.settings();
         if start.schedule.is_countable() { Ok(start) } else { Err(endless(settings, &start)) }
     }
+}
+
+/// A stepper that knows no damping, and a scene that has some.
+fn refuse_damping(settings: &Settings, model: &Model) -> Result<(), Failure> {
+    let damped = model.springs.iter().filter(|spring| spring.damping != 0.0).count();
+    if settings.stepper.knows_damping() || damped == 0 {
+        return Ok(());
+    }
+    let message = format!(
+        "{} is for scenes without damping, and {} of {} are damped",
+        settings.stepper,
+        count(damped as u64),
+        counted(model.springs.len() as u64, "spring")
+    );
+    Err(Failure::input(message, "use --stepper dop853, or set their damping to 0"))
 }
 
 /// A run of more steps or frames than can be counted.

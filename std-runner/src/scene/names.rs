@@ -74,9 +74,23 @@ choice! {
         ImplicitEulerLinearised = "implicit-euler-linearised",
         /// Half a kick, a drift, half a kick: second order, and keeps energy bounded.
         VelocityVerlet = "velocity-verlet",
+        /// The classical Runge-Kutta method: fourth order, four force evaluations a step.
+        Rk4 = "rk4",
+        /// Runge-Kutta of eighth order, twelve force evaluations a step: for errors below a millionth.
+        Dop853 = "dop853",
+        /// Runge-Kutta-Nyström of eighth order, eight force evaluations a step, for scenes without damping.
+        DormandPrinceRkn8 = "dormand-prince-rkn8",
         /// Whatever is cheapest while stable and accurate enough for the scene.
         #[default]
         Auto = "auto",
+    }
+}
+
+impl StepperName {
+    /// Whether it can step scenes with damping.
+    #[must_use]
+    pub fn knows_damping(self) -> bool {
+        self != Self::DormandPrinceRkn8
     }
 }
 

@@ -1,9 +1,9 @@
 //! The stepper and the response that a scene names.
 
 use hooke::{
-    Auto, Choice, Chosen, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, LinearSolver, Observer, Plan,
-    Project, Real, Reflect, Response, SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, VelocityVerlet,
-    View,
+    Auto, Choice, Chosen, Dop853, DormandPrinceRkn8, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised,
+    LinearSolver, Observer, Plan, Project, Real, Reflect, Response, Rk4, SemiImplicitEuler, StepError, StepReport,
+    Stepper, TimeOfImpact, VelocityVerlet, View,
 };
 
 use super::heap::Heap;
@@ -25,6 +25,12 @@ pub enum AnyStepper<R: Real> {
     ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap, FILL>),
     /// `velocity-verlet`
     VelocityVerlet(VelocityVerlet<R, Heap>),
+    /// `rk4`
+    Rk4(Rk4<R, Heap>),
+    /// `dop853`
+    Dop853(Dop853<R, Heap>),
+    /// `dormand-prince-rkn8`
+    DormandPrinceRkn8(DormandPrinceRkn8<R, Heap>),
     /// `auto`
     Auto(Auto<R, Heap, FILL>),
 }
@@ -41,6 +47,9 @@ impl<R: Real> AnyStepper<R> {
                 Self::ImplicitEulerLinearised(ImplicitEulerLinearised::new(tolerance))
             }
             StepperName::VelocityVerlet => Self::VelocityVerlet(VelocityVerlet::new()),
+            StepperName::Rk4 => Self::Rk4(Rk4::new()),
+            StepperName::Dop853 => Self::Dop853(Dop853::new()),
+            StepperName::DormandPrinceRkn8 => Self::DormandPrinceRkn8(DormandPrinceRkn8::new()),
             StepperName::Auto => Self::Auto(Auto::new(tolerance)),
         }
     }
@@ -84,6 +93,9 @@ macro_rules! each {
             AnyStepper::ImplicitEuler($stepper) => $call,
             AnyStepper::ImplicitEulerLinearised($stepper) => $call,
             AnyStepper::VelocityVerlet($stepper) => $call,
+            AnyStepper::Rk4($stepper) => $call,
+            AnyStepper::Dop853($stepper) => $call,
+            AnyStepper::DormandPrinceRkn8($stepper) => $call,
             AnyStepper::Auto($stepper) => $call,
         }
     };
@@ -92,6 +104,10 @@ macro_rules! each {
 impl<R: Real> Stepper<R> for AnyStepper<R> {
     fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
         each!(self, stepper => Stepper::<R>::fit(stepper, plan))
+    }
+
+    fn accept(&self, plan: &Plan) -> Result<(), StepError> {
+        each!(self, stepper => Stepper::<R>::accept(stepper, plan))
     }
 
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {

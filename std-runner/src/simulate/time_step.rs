@@ -25,6 +25,9 @@ pub fn choose_time_step(settings: &Settings, plan: &Plan, bound: Option<&Stabili
             let limit = bound.map_or(f64::INFINITY, |bound| match settings.stepper {
                 StepperName::Auto | StepperName::VelocityVerlet => bound.velocity_verlet,
                 StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
+                StepperName::Rk4 => bound.rk4(),
+                StepperName::Dop853 => bound.dop853(),
+                StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
                 // It has no stable one where anything is undamped: then it is at least to grow slowly.
                 StepperName::ExplicitEuler if bound.explicit_euler > 0.0 => bound.explicit_euler,
                 StepperName::ExplicitEuler => 0.01 / bound.frequency,
