@@ -25,6 +25,9 @@ pub trait Stepper<R: Real> {
     /// Writes the state `dt` seconds after the current one to the next one. Planes are not its business.
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport;
 
+    /// The order of its accuracy.
+    fn order(&self) -> u32;
+
     /// β in the path x + τ v + β τ² a that it takes a particle along that nothing but gravity pulls at.
     fn curvature(&self) -> R;
 

@@ -55,6 +55,35 @@ fn verlet_keeps_its_second_order() {
 }
 
 #[test]
+fn rk4_keeps_its_fourth_order() {
+    for problem in oscillators() {
+        let order = observed(&[4e-3, 2e-3, 1e-3, 5e-4], |dt| {
+            error(&problem, StepperName::Rk4, CollisionForm::TimeOfImpact, dt, problem.duration)
+        });
+        assert!(at_rest(&order) || (order.slope - 4.0).abs() < 0.15, "{}: {order:?}", problem.name);
+    }
+}
+
+/// A tenth of a period a step at most, and some impacts in each: their differing parts of their steps scatter the errors,
+/// which fall by a factor of a thousand here.
+const LONG_STEPS: [f64; 3] = [1.13e-1, 8e-2, 5.6e-2];
+
+fn high_order(problem: &Problem, stepper: StepperName) -> Order {
+    observed(&LONG_STEPS, |dt| error(problem, stepper, CollisionForm::TimeOfImpact, dt, problem.duration))
+}
+
+#[test]
+fn dop853_keeps_its_eighth_order() {
+    for problem in oscillators().filter(|problem| !grazes(problem)) {
+        let order = high_order(&problem, StepperName::Dop853);
+        assert!(at_rest(&order) || order.slope > 7.3 && order.errors[2] < 1e-10, "{}: {order:?}", problem.name);
+        // And the same judgement refuses one of fourth order.
+        let order = high_order(&problem, StepperName::Rk4);
+        assert!(at_rest(&order) || order.slope < 7.3, "{}: {order:?}", problem.name);
+    }
+}
+
+#[test]
 fn the_eulers_keep_their_first_order() {
     for problem in oscillators().filter(|problem| !grazes(problem)) {
         for stepper in [StepperName::SemiImplicitEuler, StepperName::ExplicitEuler, StepperName::ImplicitEuler] {

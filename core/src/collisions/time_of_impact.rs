@@ -2,6 +2,7 @@
 
 use super::Answer;
 use super::bounce::{Flight, Path, first_contact, half_square};
+use super::locate::locate;
 use super::stop::stop_all;
 use core::ops::Range;
 
@@ -21,12 +22,16 @@ const MOST_SUBSTEPS: u32 = 64;
 /// Times that the planes are gone through at one hit: a particle in a wedge is thrown from one to the other.
 const MOST_ROUNDS: u32 = 16;
 
+/// The order of the steppers whose path between two states a parabola is good enough for.
+const PARABOLA: u32 = 2;
+
 /// The hit is located inside the step, answered there, and the rest of the step is taken from there.
 ///
 /// A particle without springs is flown along the stepper's own path from plane to plane. Where springs pull, the
 /// first hit of any particle cuts the step in two, so that the stepper starts anew after it and keeps its order: the
 /// path between the two states is taken as the parabola through them with the first one's velocity, which is the
-/// explicit steppers' own path and differs from the implicit ones' by dt³.
+/// explicit Eulers' and Verlet's own path and differs from the implicit ones' by dt³. On the path of a stepper of higher
+/// order the hit is found by Newton's method, with steps of its own.
 ///
 /// A particle at rest on planes is held up while it is pressed against them and let go when something pulls it off.
 pub struct TimeOfImpact<R: Real, M: Storage> {
@@ -121,7 +126,7 @@ fn step<R: Real>(
     let mut rest = dt;
     let mut stopped = None;
     if view.system.plan.attached > 0 {
-        while let Some(hit) = advance_to_hit(view, stepper, rest, &mut report)? {
+        while let Some(mut hit) = advance_to_hit(view, stepper, rest, &mut report)? {
             report.substeps += 1;
             if report.substeps == MOST_SUBSTEPS {
                 observer.advanced(view, rest);
@@ -132,6 +137,9 @@ fn step<R: Real>(
             }
             start.save(view);
             if hit.tau > R::ZERO {
+                if stepper.order() > PARABOLA {
+                    hit.tau = locate(view, stepper, hit.slot, &hit.plane, hit.tau, rest, &mut report);
+                }
                 report.add(&stepper.advance(&mut view.attached(), hit.tau));
                 view.attached().refuse_non_finite()?;
                 keep_lying(&mut view.attached(), hit.tau);

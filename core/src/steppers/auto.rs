@@ -134,6 +134,10 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for Auto<R, M, FILL> {
         }
     }
 
+    fn order(&self) -> u32 {
+        2
+    }
+
     fn curvature(&self) -> R {
         R::from_f64(0.5)
     }

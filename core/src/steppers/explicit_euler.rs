@@ -17,6 +17,10 @@ impl<R: Real> Stepper<R> for ExplicitEuler {
         euler::advance::<R, true>(view, dt)
     }
 
+    fn order(&self) -> u32 {
+        1
+    }
+
     fn curvature(&self) -> R {
         R::ZERO
     }

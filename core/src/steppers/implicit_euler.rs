@@ -50,6 +50,10 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for ImplicitEuler<R, M, 
         newton(view, dt, self.tolerance, &mut self.workspace.lend(&view.system, dt))
     }
 
+    fn order(&self) -> u32 {
+        1
+    }
+
     fn curvature(&self) -> R {
         R::ONE
     }

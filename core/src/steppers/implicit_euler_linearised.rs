@@ -42,6 +42,10 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for ImplicitEulerLineari
         one_linearisation(view, dt, self.tolerance, &mut self.workspace.lend(&view.system, dt))
     }
 
+    fn order(&self) -> u32 {
+        1
+    }
+
     fn curvature(&self) -> R {
         R::ONE
     }

@@ -17,6 +17,10 @@ impl<R: Real> Stepper<R> for SemiImplicitEuler {
         euler::advance::<R, false>(view, dt)
     }
 
+    fn order(&self) -> u32 {
+        1
+    }
+
     fn curvature(&self) -> R {
         R::ONE
     }

@@ -99,6 +99,10 @@ impl<R: Real, M: Storage> Stepper<R> for VelocityVerlet<R, M> {
         report
     }
 
+    fn order(&self) -> u32 {
+        2
+    }
+
     fn curvature(&self) -> R {
         R::from_f64(0.5)
     }

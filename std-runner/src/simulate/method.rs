@@ -114,6 +114,10 @@ impl<R: Real> Stepper<R> for AnyStepper<R> {
         each!(self, stepper => stepper.advance(view, dt))
     }
 
+    fn order(&self) -> u32 {
+        each!(self, stepper => Stepper::<R>::order(stepper))
+    }
+
     fn curvature(&self) -> R {
         each!(self, stepper => stepper.curvature())
     }

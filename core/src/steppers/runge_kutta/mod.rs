@@ -151,6 +151,10 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> Stepper<R> fo
         report
     }
 
+    fn order(&self) -> u32 {
+        T::ORDER
+    }
+
     fn curvature(&self) -> R {
         R::from_f64(0.5)
     }
