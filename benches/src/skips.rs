@@ -40,12 +40,13 @@ const TOLERANCE: f64 = 1e-6;
 const HEIGHT: f64 = 1.0;
 
 /// All of them.
-pub const PAIRS: [Pair; 13] = [
+pub const PAIRS: [Pair; 14] = [
     gain("gravity", || plain(&cloth(64, 0.05)), || steps(&cloth(64, 0.05), [0.0; 3], euler())),
     gain("springs", || plain(&cloth(64, 0.05)), || plain(&changed(|model| model.springs.clear()))),
     gain("damping", || plain(&cloth(64, 0.05)), || plain(&cloth(64, 0.0))),
     gain("damping of most springs", || plain(&cloth(64, 0.05)), || plain(&changed(damp_a_sixth))),
     gain("springs that vary", || plain(&changed(vary)), || plain(&cloth(64, 0.05))),
+    gain("masses that vary", || plain(&large(vary_masses)), || plain(&large(|_| ()))),
     gain("planes", || plain(&changed(|model| planes(model, HEIGHT - 1e-6))), || plain(&cloth(64, 0.05))),
     gain(
         "planes in reach",
@@ -89,6 +90,19 @@ fn damp_a_sixth(model: &mut Model) {
 fn vary(model: &mut Model) {
     for (number, spring) in model.springs.iter_mut().enumerate() {
         spring.stiffness *= 1.0 + 1e-3 * (number % 7) as f64;
+    }
+}
+
+/// A cloth whose columns do not fit into the second cache.
+fn large(change: impl Fn(&mut Model)) -> Model {
+    let mut model = cloth(256, 0.05);
+    change(&mut model);
+    model
+}
+
+fn vary_masses(model: &mut Model) {
+    for (number, particle) in model.particles.iter_mut().enumerate() {
+        particle.mass *= 1.0 + 1e-3 * (number % 7) as f64;
     }
 }
 

@@ -46,7 +46,7 @@ impl StabilityBound {
     /// The largest time step at which [`crate::DormandPrinceRkn8`] is stable, s.
     #[must_use]
     pub fn dormand_prince_rkn8(&self) -> f64 {
-        3.14 / self.frequency
+        3.139 / self.frequency
     }
 
     /// Where a method is stable in the left half of the disc |z| ≤ `radius`: every eigenvalue z solves z² + c z + k = 0

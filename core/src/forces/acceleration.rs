@@ -72,16 +72,24 @@ pub struct Rest<'a, R, A> {
 }
 
 impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
-    /// Nothing if the masses of so many particles are not known.
+    /// With the inverse mass of the plan's particles of one mass in `uniform`, as often as a tile has particles: it is in
+    /// the first cache, their own are not. Nothing if the masses of so many particles are not known.
     #[inline(always)]
     pub fn of(
         system: &System<'a, R>,
         slots: Range<u32>,
         below: ColumnsMut<'a, R>,
         above: Columns<'a, R>,
+        uniform: &'a [R],
         acceleration: A,
     ) -> Option<Self> {
-        let [inverse_mass] = cut([system.inverse_mass], slots.clone())?;
+        let of_one_mass = &system.plan.of_one_mass;
+        let is_uniform = of_one_mass.0 <= slots.start && slots.end <= of_one_mass.1;
+        let [inverse_mass] = if is_uniform {
+            cut([uniform], 0..slots.end - slots.start)?
+        } else {
+            cut([system.inverse_mass], slots.clone())?
+        };
         let rest = Rest { above, inverse_mass, gravity: system.gravity, lanes: system.lanes, acceleration };
         Some(Self { slots, below, rest })
     }

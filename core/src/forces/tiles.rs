@@ -9,7 +9,7 @@ use super::{diagonal, scattered};
 use crate::Real;
 use crate::contact::hold_up;
 use crate::lanes::{self, Kernel, Lanes, Set};
-use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, window_mut};
+use crate::vectors::{Columns, ColumnsMut, at, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
 /// What becomes of a tile's accelerations once they are known.
@@ -50,15 +50,21 @@ pub struct Accelerations<'a, R, T> {
     pub window: Option<&'a mut Window<R>>,
 }
 
-/// Forces that are no particle's yet, aligned, so that no vector lies across two lines of the cache.
+/// What is not in columns of the world, aligned, so that no vector lies across two lines of the cache.
 #[repr(C, align(64))]
 struct Room<R> {
     from_above: [[R; TILE as usize]; 3],
     nowhere: [[R; TILE as usize]; 3],
+    /// Of particles of one mass, 1/kg.
+    inverse_mass: [R; TILE as usize],
 }
 
 impl<R: Real> Room<R> {
-    const ZERO: Self = Self { from_above: [[R::ZERO; TILE as usize]; 3], nowhere: [[R::ZERO; TILE as usize]; 3] };
+    const ZERO: Self = Self {
+        from_above: [[R::ZERO; TILE as usize]; 3],
+        nowhere: [[R::ZERO; TILE as usize]; 3],
+        inverse_mass: [R::ZERO; TILE as usize],
+    };
 }
 
 /// What came of it.
@@ -78,7 +84,8 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
         let mut room = Room::ZERO;
-        let Room { from_above, nowhere } = &mut room;
+        let Room { from_above, nowhere, inverse_mass } = &mut room;
+        inverse_mass.fill(at(system.inverse_mass, system.plan.of_one_mass.0));
         let mut sweep = Sweep::reaching(&system.springs.first(system.plan.live()), system.plan.span, pulled.start);
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);
@@ -106,7 +113,7 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
             outcome.degenerate += degenerate;
             let below = cut_mut(lend(&mut out), within(&pulled, &tile))?;
             let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
-            let sums = Tile::of(system, tile.clone(), below, above, Pulled)?;
+            let sums = Tile::of(system, tile.clone(), below, above, inverse_mass, Pulled)?;
             outcome.finite &= if system.support {
                 let mut held = sums.write();
                 hold_up(system, tile, position, velocity, lend(&mut held.below));
@@ -119,7 +126,7 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
             let none = cut_mut(lend(&mut out), within(&slots, &tile))?;
             // Of a length with the others: what is in it is not looked at.
             let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
-            outcome.finite &= then.then(Tile::of(system, tile, none, above, Falling)?);
+            outcome.finite &= then.then(Tile::of(system, tile, none, above, inverse_mass, Falling)?);
         }
         Some(outcome)
     }

@@ -378,6 +378,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         let plan = Plan {
             gravity: self.gravity != [R::ZERO; 3],
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
+            of_one_mass: Plan::of_one_mass(self.particles.inverse_mass.items()),
             springs: self.springs.count(),
             on_diagonals,
             idle: (springs - live) as u32,

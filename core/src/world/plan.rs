@@ -23,6 +23,9 @@ pub struct Plan {
     pub attached: u32,
     /// All particles.
     pub particles: u32,
+    /// The longest stretch of slots whose particles have one mass and are not held, from one to before another: steps do not
+    /// read their masses.
+    pub of_one_mass: (u32, u32),
     /// Particles that are pinned or kinematic.
     pub held: u32,
     /// Springs: without any, both force passes are left out.
@@ -80,6 +83,19 @@ impl Plan {
     #[must_use]
     pub fn live(&self) -> u32 {
         self.springs - self.springs_asleep - self.idle
+    }
+
+    /// The longest run of equal inverse masses that are not 0, from the first to after the last.
+    pub(crate) fn of_one_mass<R: Real>(inverse_mass: &[R]) -> (u32, u32) {
+        let (mut longest, mut start) = ((0, 0), 0);
+        for run in inverse_mass.chunk_by(|left, right| left == right) {
+            let end = start + run.len() as u32;
+            if run.first().is_some_and(|inverse| *inverse != R::ZERO) && end - start > longest.1 - longest.0 {
+                longest = (start, end);
+            }
+            start = end;
+        }
+        longest
     }
 
     /// How many of the springs are damped.

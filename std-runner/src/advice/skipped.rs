@@ -33,6 +33,10 @@ pub fn skipped(plan: &Plan) -> Vec<String> {
     if !plan.gravity {
         lines.push("gravity: it is 0".to_owned());
     }
+    let of_one_mass = plan.of_one_mass.1 - plan.of_one_mass.0;
+    if of_one_mass > 1 {
+        lines.push(format!("reading the masses of {}: they are the same", counted(u64::from(of_one_mass), "particle")));
+    }
     if plan.springs == 0 {
         lines.push("spring forces: there are no springs".to_owned());
     } else {

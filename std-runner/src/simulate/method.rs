@@ -13,7 +13,6 @@ use crate::scene::{CollisionForm, StepperName};
 pub const FILL: usize = 16;
 
 /// Any of the steppers.
-#[expect(clippy::large_enum_variant, reason = "there is one in a run")]
 pub enum AnyStepper<R: Real> {
     /// `explicit-euler`
     ExplicitEuler(ExplicitEuler),
