@@ -9,7 +9,7 @@ use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_runner::simulate::{AnyResponse, AnyStepper, HeapWorld, world};
 
 /// What implicit steppers solve to unless a run says otherwise: below every error that is measured of them.
-pub const TOLERANCE: f64 = 1e-10;
+pub const TOLERANCE: f64 = 1e-12;
 
 /// A world on its way.
 pub struct Run<R: Real> {

@@ -59,7 +59,7 @@ fn observed(problem: &Problem, stepper: StepperName, part: f64, counts: &[usize]
 /// The order from the last two errors that are above the floor; nothing if there are none.
 fn last_order(problem: &Problem, claim: &Claim) -> Option<f64> {
     let order = observed(problem, claim.stepper, 0.5, &claim.counts);
-    order.errors.windows(2).zip(&order.pairwise).filter(|(pair, _)| pair[1] > FLOOR).last().map(|(_, order)| *order)
+    order.errors.windows(2).zip(&order.pairwise).rfind(|(pair, _)| pair[1] > FLOOR).map(|(_, order)| *order)
 }
 
 /// A little more than was claimed is no fault: the next term of the error still counts.

@@ -226,7 +226,9 @@ fn steps_of_any_length_end() {
                     }
                 }
                 let finite = run.world.view().states().all(|(x, v)| x.is_finite() && v.is_finite());
-                assert!(finite && single.world.view().states().all(|(x, v)| x.is_finite() && v.is_finite()));
+                assert!(finite, "seed {seed}, {stepper}, {form}, {dt} s");
+                let finite = single.world.view().states().all(|(x, v)| x.is_finite() && v.is_finite());
+                assert!(finite, "seed {seed}, {stepper}, {form}, {dt} s in f32");
             }
         }
     }

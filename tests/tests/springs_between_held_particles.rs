@@ -1,5 +1,5 @@
 //! Springs between two held particles are left out, nobody can tell, and they are back once one of the two is let go.
-#![allow(missing_docs)]
+#![allow(clippy::expect_used, missing_docs)]
 
 use hooke::{Hold, Ledger, Real};
 use hooke_benches::scenes::cloth;

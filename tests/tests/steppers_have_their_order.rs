@@ -23,7 +23,13 @@ fn counts(stepper: StepperName) -> [usize; 3] {
 }
 
 fn is_second_order(stepper: StepperName) -> bool {
-    matches!(stepper, StepperName::VelocityVerlet | StepperName::Auto)
+    !matches!(
+        stepper,
+        StepperName::ExplicitEuler
+            | StepperName::SemiImplicitEuler
+            | StepperName::ImplicitEuler
+            | StepperName::ImplicitEulerLinearised
+    )
 }
 
 #[test]

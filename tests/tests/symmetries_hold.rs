@@ -118,5 +118,11 @@ fn apart(left: &Moment, right: &Moment) -> f64 {
 }
 
 fn is_implicit(stepper: StepperName) -> bool {
-    matches!(stepper, StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised)
+    matches!(
+        stepper,
+        StepperName::ImplicitEuler
+            | StepperName::ImplicitEulerLinearised
+            | StepperName::ImplicitMidpoint
+            | StepperName::TrBdf2
+    )
 }

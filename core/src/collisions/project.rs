@@ -37,7 +37,7 @@ impl<R: Real> Response<R> for Project {
         if answer.hits > 0 {
             answer.lost += before - potential(view);
         }
-        finish(view, &mut report, &answer, observer);
+        finish(view, &mut report, &answer, observer)?;
         Ok(report)
     }
 }

@@ -33,7 +33,7 @@ impl<R: Real> Response<R> for Reflect {
         view.refuse_non_finite()?;
         observer.advanced(view, dt);
         let answer = answer(&view.system, &mut view.next, |_, _, position| position);
-        finish(view, &mut report, &answer, observer);
+        finish(view, &mut report, &answer, observer)?;
         Ok(report)
     }
 }
@@ -45,6 +45,8 @@ pub struct Answer {
     pub hits: u32,
     /// Kinetic energy lost in them, J.
     pub lost: f64,
+    /// Whether a particle was so fast or so far that what it was given is not finite.
+    pub overflows: bool,
 }
 
 /// Reflects every particle that satisfies the condition of a plane, and moves it as `displace` says.
@@ -107,8 +109,10 @@ fn answer_tile<R: Real>(
         let speed = dot(plane.normal, velocity);
         if speed < R::ZERO {
             let change = -(R::ONE + plane.restitution) * speed;
-            store(&mut state.velocity, slot, along(velocity, change, plane.normal));
-            store(&mut state.position, slot, displace(plane, gap, position));
+            let (position, velocity) = (displace(plane, gap, position), along(velocity, change, plane.normal));
+            store(&mut state.velocity, slot, velocity);
+            store(&mut state.position, slot, position);
+            answer.overflows |= !position.into_iter().chain(velocity).all(R::is_finite);
             let (before, after) = (speed.to_f64(), (plane.restitution * speed).to_f64());
             answer.hits += 1;
             answer.lost += 0.5 * at(system.mass, slot).to_f64() * (before * before - after * after);
@@ -122,10 +126,15 @@ pub(crate) fn finish<R: Real>(
     report: &mut StepReport,
     answer: &Answer,
     observer: &mut impl Observer<R>,
-) {
+) -> Result<(), StepError> {
+    if answer.overflows {
+        view.is_next_finite = false;
+        view.refuse_non_finite()?;
+    }
     report.hits += answer.hits;
     if answer.hits > 0 {
         observer.lost_in_impacts(answer.lost);
     }
     view.commit(view.end, answer.hits > 0);
+    Ok(())
 }

@@ -234,6 +234,13 @@ impl<'a, R: Real> View<'a, R> {
         self.part(System { plan, springs: self.system.springs.first(plan.springs), ..self.system })
     }
 
+    /// The same world as if another state were its current one.
+    pub(crate) fn starting_from<'b>(&'b mut self, state: &'b mut State<'_, R>) -> View<'b, R> {
+        let system = self.system;
+        let current = State { position: lend(&mut state.position), velocity: lend(&mut state.velocity) };
+        View { current, ..self.part(system) }
+    }
+
     /// The first of its particles, with these springs.
     fn part<'b>(&'b mut self, system: System<'b, R>) -> View<'b, R> {
         let count = system.plan.particles;

@@ -19,7 +19,11 @@ pub fn largest_stable_step(stepper: StepperName, bound: &StabilityBound) -> f64 
         StepperName::Rk4 => bound.rk4(),
         StepperName::Dop853 => bound.dop853(),
         StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
-        StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised | StepperName::Auto => f64::INFINITY,
+        StepperName::ImplicitEuler
+        | StepperName::ImplicitEulerLinearised
+        | StepperName::ImplicitMidpoint
+        | StepperName::TrBdf2
+        | StepperName::Auto => f64::INFINITY,
     }
 }
 

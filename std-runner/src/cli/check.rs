@@ -119,6 +119,10 @@ fn steppers(model: &Model, settings: &Settings, start: &Start, bound: &Stability
             StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised => {
                 ("any".to_owned(), "the longer the step, the more motion it damps".to_owned())
             }
+            StepperName::ImplicitMidpoint => {
+                ("any".to_owned(), "what is too fast for the step is not damped".to_owned())
+            }
+            StepperName::TrBdf2 => ("any".to_owned(), "it damps what is too fast for the step".to_owned()),
             StepperName::Auto => return None,
         };
         Some([stepper.to_string(), step, why])

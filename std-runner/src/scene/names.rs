@@ -72,6 +72,10 @@ choice! {
         ImplicitEuler = "implicit-euler",
         /// Implicit Euler with one linearisation instead of a full solve.
         ImplicitEulerLinearised = "implicit-euler-linearised",
+        /// The forces half-way, solved to the tolerance: second order, stable at any step, and damps nothing.
+        ImplicitMidpoint = "implicit-midpoint",
+        /// Trapezoidal rule, then backward differentiation: second order, stable at any step, damps what is too fast for it.
+        TrBdf2 = "tr-bdf2",
         /// Half a kick, a drift, half a kick: second order, and keeps energy bounded.
         VelocityVerlet = "velocity-verlet",
         /// The classical Runge-Kutta method: fourth order, four force evaluations a step.

@@ -2,8 +2,8 @@
 
 use hooke::{
     Auto, Choice, Chosen, Dop853, DormandPrinceRkn8, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised,
-    LinearSolver, Observer, Plan, Project, Real, Reflect, Response, Rk4, SemiImplicitEuler, StepError, StepReport,
-    Stepper, TimeOfImpact, VelocityVerlet, View,
+    ImplicitMidpoint, LinearSolver, Observer, Plan, Project, Real, Reflect, Response, Rk4, SemiImplicitEuler,
+    StepError, StepReport, Stepper, TimeOfImpact, TrBdf2, VelocityVerlet, View,
 };
 
 use super::heap::Heap;
@@ -22,6 +22,10 @@ pub enum AnyStepper<R: Real> {
     ImplicitEuler(ImplicitEuler<R, Heap, FILL>),
     /// `implicit-euler-linearised`
     ImplicitEulerLinearised(ImplicitEulerLinearised<R, Heap, FILL>),
+    /// `implicit-midpoint`
+    ImplicitMidpoint(ImplicitMidpoint<R, Heap, FILL>),
+    /// `tr-bdf2`
+    TrBdf2(TrBdf2<R, Heap, FILL>),
     /// `velocity-verlet`
     VelocityVerlet(VelocityVerlet<R, Heap>),
     /// `rk4`
@@ -45,6 +49,8 @@ impl<R: Real> AnyStepper<R> {
             StepperName::ImplicitEulerLinearised => {
                 Self::ImplicitEulerLinearised(ImplicitEulerLinearised::new(tolerance))
             }
+            StepperName::ImplicitMidpoint => Self::ImplicitMidpoint(ImplicitMidpoint::new(tolerance)),
+            StepperName::TrBdf2 => Self::TrBdf2(TrBdf2::new(tolerance)),
             StepperName::VelocityVerlet => Self::VelocityVerlet(VelocityVerlet::new()),
             StepperName::Rk4 => Self::Rk4(Rk4::new()),
             StepperName::Dop853 => Self::Dop853(Dop853::new()),
@@ -71,6 +77,8 @@ impl<R: Real> AnyStepper<R> {
         match self {
             Self::ImplicitEuler(stepper) => stepper.linear_solver(view, dt).map(Some),
             Self::ImplicitEulerLinearised(stepper) => stepper.linear_solver(view, dt).map(Some),
+            Self::ImplicitMidpoint(stepper) => stepper.linear_solver(view, dt).map(Some),
+            Self::TrBdf2(stepper) => stepper.linear_solver(view, dt).map(Some),
             // It steps explicitly where it can.
             Self::Auto(stepper) => match view.stability() {
                 bound if Choice::of(bound, dt.to_f64()).chosen == Chosen::ImplicitEuler => {
@@ -91,6 +99,8 @@ macro_rules! each {
             AnyStepper::SemiImplicitEuler($stepper) => $call,
             AnyStepper::ImplicitEuler($stepper) => $call,
             AnyStepper::ImplicitEulerLinearised($stepper) => $call,
+            AnyStepper::ImplicitMidpoint($stepper) => $call,
+            AnyStepper::TrBdf2($stepper) => $call,
             AnyStepper::VelocityVerlet($stepper) => $call,
             AnyStepper::Rk4($stepper) => $call,
             AnyStepper::Dop853($stepper) => $call,

@@ -31,7 +31,10 @@ pub fn choose_time_step(settings: &Settings, plan: &Plan, bound: Option<&Stabili
                 // It has no stable one where anything is undamped: then it is at least to grow slowly.
                 StepperName::ExplicitEuler if bound.explicit_euler > 0.0 => bound.explicit_euler,
                 StepperName::ExplicitEuler => 0.01 / bound.frequency,
-                StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised => f64::INFINITY,
+                StepperName::ImplicitEuler
+                | StepperName::ImplicitEulerLinearised
+                | StepperName::ImplicitMidpoint
+                | StepperName::TrBdf2 => f64::INFINITY,
             });
             let part = PART_OF_BOUND * limit;
             if part < longest { two_digits_below(part) } else { longest }

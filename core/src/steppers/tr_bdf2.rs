@@ -1,0 +1,91 @@
+//! The trapezoidal rule and the backward differentiation formula of second order, one after the other.
+
+use crate::Real;
+use crate::roles::Stepper;
+use crate::solve::{LinearSolver, Tolerance, Workspace, newton};
+use crate::types::{Full, StepReport};
+use crate::vectors::{advance_columns, lend, read};
+use crate::world::{Plan, State, StateColumns, Storage, View};
+
+/// √2
+const ROOT: f64 = core::f64::consts::SQRT_2;
+/// ½γ with γ = 2 − √2: the part of the step that both stages solve an implicit Euler step of, with the same matrix.
+const PART: f64 = 1.0 - 0.5 * ROOT;
+/// (1 − γ)²/(γ (2 − γ)): how far the second stage's base lies beyond the first stage, in parts of the way there.
+const BEYOND: f64 = (ROOT - 1.0) * (ROOT - 1.0) / ((2.0 - ROOT) * ROOT);
+
+/// TR-BDF2: the trapezoidal rule to γ dt, and from there the second backward differentiation formula to dt, γ = 2 − √2.
+/// Second order, stable at any time step, and what is far too fast for it is damped away (Bank and others, *Transient
+/// simulation of silicon devices and circuits*, 1985; Hosea and Shampine, *Analysis and implementation of TR-BDF2*, 1996).
+///
+/// Both stages are implicit Euler steps of ½γ dt from other states than the current one: they are solved for as in
+/// [`super::ImplicitEuler`]. `FILL` is what it is there.
+pub struct TrBdf2<R: Real, M: Storage, const FILL: usize = 1> {
+    workspace: Workspace<R, M, FILL>,
+    tolerance: Tolerance,
+    /// The state that a stage starts from.
+    base: StateColumns<R, M>,
+}
+
+impl<R: Real, M: Storage, const FILL: usize> TrBdf2<R, M, FILL> {
+    /// With the residual at which a stage counts as solved, relative to the size of its terms; 1e-6, say.
+    #[must_use]
+    pub const fn new(tolerance: f64) -> Self {
+        Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance), base: StateColumns::EMPTY }
+    }
+
+    /// What solves the linear systems of steps of `dt` seconds, and why.
+    ///
+    /// # Errors
+    /// If the workspace has a fixed capacity and the world is larger.
+    pub fn linear_solver(&mut self, view: &View<'_, R>, dt: R) -> Result<LinearSolver, Full> {
+        self.workspace.fit(&view.system.plan)?;
+        Ok(self.workspace.linear_solver(&view.system, part(dt)))
+    }
+}
+
+fn part<R: Real>(dt: R) -> R {
+    R::from_f64(PART) * dt
+}
+
+impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for TrBdf2<R, M, FILL> {
+    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
+        self.workspace.fit(plan)?;
+        self.base.fit(plan.particles as usize)
+    }
+
+    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
+        let part = part(dt);
+        let (position, velocity) = self.base.lend();
+        let mut base = State { position, velocity };
+        let mut report = StepReport::default();
+        // x + ½γdt v and v + ½γdt a(x, v)
+        let (x, v) = (read(&view.current.position), read(&view.current.velocity));
+        view.system.accelerations(x, v, lend(&mut view.next.velocity), &mut report);
+        advance_columns(lend(&mut base.position), x, part, v);
+        advance_columns(lend(&mut base.velocity), v, part, read(&view.next.velocity));
+        let scratch = &mut self.workspace.lend(&view.system, part);
+        report.add(&newton(&mut view.starting_from(&mut base), part, self.tolerance, scratch));
+        // x_γ + (x_γ − x)(1 − γ)²/(γ(2 − γ)), and its velocity likewise
+        let beyond = R::from_f64(BEYOND);
+        let View { current, next, .. } = view;
+        let base_columns = base.position.iter_mut().chain(&mut base.velocity);
+        let now = current.position.iter().chain(&current.velocity);
+        let first = next.position.iter().chain(&next.velocity);
+        for ((base, first), now) in base_columns.zip(first).zip(now) {
+            for ((base, first), now) in base.iter_mut().zip(first.iter()).zip(now.iter()) {
+                *base = *first + beyond * (*first - *now);
+            }
+        }
+        report.add(&newton(&mut view.starting_from(&mut base), part, self.tolerance, scratch));
+        report
+    }
+
+    fn order(&self) -> u32 {
+        2
+    }
+
+    fn curvature(&self) -> R {
+        R::from_f64(0.5)
+    }
+}
