@@ -28,6 +28,12 @@ fn it_never_promises_too_much_on_irregular_graphs() {
         assert!(semi_implicit < 4.0 * (1.0 + 1e-12), "{seed}: {semi_implicit}");
         assert!(verlet < 4.0 * (1.0 + 1e-12), "{seed}: {verlet}");
         assert!(frequency < bound.frequency * (1.0 + 1e-12), "{seed}: {frequency}, {bound:?}");
+        // What limits Runge-Kutta methods beside it: the fastest damping.
+        let [mut stiffness, damping] = matrices.clone();
+        stiffness.iter_mut().flatten().for_each(|entry| *entry = 0.0);
+        let rate = largest(&model, &[stiffness, damping], 1.0, 1.0);
+        assert!(rate <= bound.damping_rate * (1.0 + 1e-12), "{seed}: {rate}, {bound:?}");
+        assert!(rate == 0.0 || bound.damping_rate < 4.0 * rate, "{seed}: {rate}, {bound:?}");
         tightest = tightest.min((4.0 / semi_implicit).sqrt());
     }
     // A pair that nothing else holds (the twins of length 0 among them) is bounded exactly.

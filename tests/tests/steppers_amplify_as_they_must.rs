@@ -37,9 +37,78 @@ fn limits_are_where_theory_has_them() {
     }
 }
 
+/// RK4 is stable where |1 + z + z²/2 + z³/6 + z⁴/24| ≤ 1; at the frequency bound of a world it is stable below every one of
+/// these limits.
+#[test]
+fn rk4_is_stable_up_to_its_limit() {
+    for (zeta, near) in [(0.0, 2.828), (0.1, 2.95), (0.5, 2.62), (1.0, 2.785)] {
+        let grows = |h: f64| square(polynomial(eigenvalue(zeta, h))) > 1.0;
+        let (mut low, mut limit) = (2.0, 3.5);
+        while limit - low > 1e-9 {
+            let middle = 0.5 * (low + limit);
+            if grows(middle) { limit = middle } else { low = middle }
+        }
+        assert!((limit - near).abs() < 0.01, "{zeta}: {limit}, not {near}");
+        let [below, above] = [0.99, 1.01].map(|part| growth(StepperName::Rk4, zeta, part * limit));
+        assert!(below < 20.0, "{zeta}: {below:e}");
+        assert!(above > 100.0, "{zeta}: {above:e}");
+    }
+}
+
+/// Its leading term of frequency and of amplitude is the exact solution's: e^{−2ζh} of the square, but for h⁹.
+#[test]
+fn high_orders_amplify_like_the_exact_solution() {
+    for (stepper, dampings) in [(StepperName::Dop853, &[0.0, 0.3][..]), (StepperName::DormandPrinceRkn8, &[0.0])] {
+        for &zeta in dampings {
+            let errors =
+                [0.5, 1.0].map(|h: f64| (determinant(stepper, zeta, h) - (-2.0 * zeta * h).exp()).abs().max(1e-13));
+            assert!(errors[1] < 1e-6, "{stepper}, {zeta}: {errors:?}");
+            assert!(errors[0] < errors[1] / 100.0, "{stepper}, {zeta}: {errors:?}");
+        }
+    }
+}
+
+type Complex = [f64; 2];
+
+fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
+    [a * c - b * d, a * d + b * c]
+}
+
+/// |z|²
+fn square([a, b]: Complex) -> f64 {
+    a * a + b * b
+}
+
+/// dt λ of the oscillator: −ζh + i h √(1 − ζ²).
+fn eigenvalue(zeta: f64, h: f64) -> Complex {
+    [-zeta * h, h * (1.0 - zeta * zeta).max(0.0).sqrt()]
+}
+
+/// 1 + z + z²/2 + z³/6 + z⁴/24
+fn polynomial(z: Complex) -> Complex {
+    [4.0, 3.0, 2.0, 1.0].into_iter().fold([1.0, 0.0], |sum, divisor| {
+        let [a, b] = times(sum, z);
+        [1.0 + a / divisor, b / divisor]
+    })
+}
+
+/// Of TR-BDF2 (Bank and others 1985): (2(2 − γ) + (1 + (1 − γ)²) z)/(γ(1 − γ) z² + (γ² − 2) z + 2(2 − γ)).
+fn tr_bdf2(z: Complex) -> f64 {
+    let gamma = 2.0 - 2.0_f64.sqrt();
+    let constant = 2.0 * (2.0 - gamma);
+    let linear = |[a, b]: Complex, factor: f64| [constant + factor * a, factor * b];
+    let above = linear(z, 1.0 + (1.0 - gamma).powi(2));
+    let [a, b] = linear(z, gamma * gamma - 2.0);
+    let [c, d] = times(z, z).map(|part| gamma * (1.0 - gamma) * part);
+    square(above) / square([a + c, b + d])
+}
+
 #[test]
 fn amplification_is_the_closed_form() {
-    use StepperName::{Auto, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, SemiImplicitEuler, VelocityVerlet};
+    use StepperName::{
+        Auto, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint, Rk4, SemiImplicitEuler, TrBdf2,
+        VelocityVerlet,
+    };
     for zeta in [0.0, 0.05, 0.3, 0.7] {
         for h in [0.01, 0.1, 0.5, 1.3] {
             let implicit = 1.0 / (1.0 + 2.0 * zeta * h + h * h);
@@ -48,6 +117,9 @@ fn amplification_is_the_closed_form() {
                 (SemiImplicitEuler, 1.0 - 2.0 * zeta * h),
                 (ImplicitEuler, implicit),
                 (ImplicitEulerLinearised, implicit),
+                (ImplicitMidpoint, (1.0 - zeta * h + h * h / 4.0) / (1.0 + zeta * h + h * h / 4.0)),
+                (TrBdf2, tr_bdf2(eigenvalue(zeta, h))),
+                (Rk4, square(polynomial(eigenvalue(zeta, h)))),
             ];
             if zeta == 0.0 {
                 // Symplectic: areas are kept. (With damping the kept acceleration makes the state threefold.)
