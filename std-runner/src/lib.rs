@@ -1,6 +1,7 @@
 //! Runs Hooke's scenes from the desktop.
 
 pub mod advice;
+pub mod bench;
 pub mod cli;
 pub mod draw;
 pub mod model;

@@ -53,6 +53,37 @@ fn check_warns_and_exits_0() {
 }
 
 #[test]
+fn bench_tells_who_is_fastest_and_writes_every_run() {
+    let folder = Folder::with(ROPE);
+    let answer = folder.hooke(&["bench", "scene.toml", "--longest", "0.002", "--out", "runs.csv"]).exits(0);
+    answer.prints(&["reference: dop853 in f64", "confirmed by", "fastest to reach an error", "100 mm"]);
+    let runs = fs::read_to_string(folder.file("runs.csv")).unwrap();
+    let mut lines = runs.lines().skip_while(|line| line.starts_with('#'));
+    let columns = lines.next().unwrap().split(',').count();
+    assert_eq!(columns, 8);
+    assert!(lines.clone().all(|line| line.split(',').count() == columns), "{runs}");
+    for stepper in ["semi-implicit-euler,f32", "velocity-verlet,f64", "tr-bdf2,f64"] {
+        assert!(lines.clone().any(|line| line.starts_with(stepper)), "{stepper} in {runs}");
+    }
+    let answer = folder.hooke(&["bench", "scene.toml", "--longest", "0.002", "--out", "-"]).exits(0);
+    answer.prints(&["stepper,precision,steps,time_step,error,seconds"]).tells(&["fastest to reach an error"]);
+    folder.hooke(&["bench", "scene.toml", "--out", "none/runs.csv"]).exits(2).tells(&["mkdir -p none"]);
+    folder.hooke(&["bench", "scene.toml", "--longest", "-1"]).exits(2);
+    folder.hooke(&["bench", "nowhere.toml"]).exits(2).tells(&["nowhere.toml"]);
+}
+
+#[test]
+fn a_stepper_without_damping_refuses_scenes_that_have_some() {
+    let folder = Folder::with(ROPE);
+    let flags = ["--stepper", "dormand-prince-rkn8"];
+    for verb in ["run", "check"] {
+        folder.hooke(&[&[verb, "scene.toml"], &flags[..]].concat()).exits(2).tells(&["without damping", "dop853"]);
+    }
+    let undamped = Folder::with(&ROPE.replace("damping = 0.01", "damping = 0.0"));
+    undamped.hooke(&[&["run", "scene.toml"], &flags[..]].concat()).exits(0);
+}
+
+#[test]
 fn the_schema_is_json() {
     let answer = Folder::empty().hooke(&["schema"]).exits(0);
     let schema: serde_json::Value = serde_json::from_str(&answer.output()).unwrap();

@@ -1,7 +1,8 @@
 //! Vectors of eight particles, particle by particle, turned into columns: shuffles that a compiler does not find by
 //! itself. Nothing is computed, so no bit depends on which of them is taken.
 //!
-//! Plain code takes 17 instructions a particle with AVX2 in `f32`, these take 2.5.
+//! With plain code turning the vectors of a mesh and the law of its springs took 18 instructions a spring together, AVX2
+//! in `f32`; so they take 8.
 
 use crate::Real;
 

@@ -1,6 +1,7 @@
 //! The command line: what is asked, checked, done and told.
 
 mod arguments;
+mod bench;
 mod check;
 mod failure;
 mod format;
@@ -49,6 +50,7 @@ impl Arguments {
         match self.verb {
             Verb::Run(run) => run::run(&run),
             Verb::Check(check) => check::check(&check),
+            Verb::Bench(bench) => bench::bench(&bench),
             Verb::New(new) => new::new(&new),
             Verb::Schema => print::data(crate::scene::schema() + "\n"),
             Verb::Completions { shell } => {

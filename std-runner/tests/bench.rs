@@ -1,0 +1,100 @@
+//! `hooke bench` against a scene with a closed form, and against what each order must show.
+#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
+
+use std::io::Write;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use hooke_runner::bench::{Bench, Point, Swept, bench, winners};
+use hooke_runner::model::Model;
+use hooke_runner::scene::{Precision, Scene, Settings, StepperName};
+
+/// x = 1 + 0.1 cos 2t: it has come back by the end, after π, and is at the middle at two of the checkpoints.
+const OSCILLATOR: &str = "duration = 3.141592653589793\n\
+    [[particle]]\nposition = [0.0, 0.0, 0.0]\npinned = true\n\
+    [[particle]]\nposition = [1.1, 0.0, 0.0]\nmass = 1.0\n\
+    [[spring]]\nbetween = [0, 1]\nstiffness = 4.0\nrest_length = 1.0\n";
+
+/// Enough for every order to show.
+const SHORT: Duration = Duration::from_millis(20);
+
+fn load(toml: &str) -> (Model, Settings) {
+    let mut file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    file.write_all(toml.as_bytes()).unwrap();
+    let scene = Scene::load(file.path()).expect("a sound scene");
+    (scene.model().expect("a scene that fits"), scene.settings().clone())
+}
+
+fn measured(toml: &str) -> Bench {
+    let (model, settings) = load(toml);
+    bench(&model, &settings, SHORT, &AtomicBool::new(false), |_| ())
+        .expect("a scene that runs")
+        .expect("nobody interrupts")
+}
+
+fn of(bench: &Bench, stepper: StepperName, precision: Precision) -> &Swept {
+    let is = |swept: &&Swept| swept.contender.stepper == stepper && swept.contender.precision == precision;
+    bench.swept.iter().find(is).expect("every stepper runs")
+}
+
+/// By how much two successive errors fall, as an order.
+fn order([coarse, fine]: [&Point; 2]) -> f64 {
+    (coarse.error.unwrap() / fine.error.unwrap()).log2()
+}
+
+#[test]
+fn the_reference_is_the_closed_form_and_orders_are_those_of_the_steppers() {
+    let bench = measured(OSCILLATOR);
+    for (checkpoint, positions) in bench.reference.positions.iter().enumerate() {
+        let phase = 2.0 * std::f64::consts::PI * (checkpoint + 1) as f64 / 4.0;
+        // Rounding, of some thousand steps at most.
+        assert!((positions[1][0] - (1.0 + 0.1 * phase.cos())).abs() < 1e-12, "{positions:?}");
+    }
+    assert!(bench.reference.settled < 1e-11, "{}", bench.reference.settled);
+    let (stepper, distance) = bench.reference.confirmed.unwrap();
+    assert!(stepper == StepperName::DormandPrinceRkn8 && distance < 1e-11, "{distance}");
+    // It is stable: a change of the start stays what it is, but for what the direction makes of it.
+    assert!((0.5..10.0).contains(&bench.reference.growth), "{}", bench.reference.growth);
+    for (stepper, expected) in
+        [(StepperName::SemiImplicitEuler, 1.0), (StepperName::VelocityVerlet, 2.0), (StepperName::Rk4, 4.0)]
+    {
+        let points = &of(&bench, stepper, Precision::F64).points;
+        let found = order([&points[3], &points[4]]);
+        assert!((found - expected).abs() < 0.15, "{stepper}: {found}");
+    }
+}
+
+#[test]
+fn high_orders_win_at_small_errors_and_single_precision_never_does() {
+    let bench = measured(OSCILLATOR);
+    let winners = winners(&bench);
+    assert!(winners.len() >= 9, "{winners:?}");
+    for winner in winners.iter().filter(|winner| winner.error < 1e-7) {
+        let (contender, point) = winner.run.expect("somebody gets there");
+        assert_eq!(contender.precision, Precision::F64, "{winner:?}");
+        assert!([StepperName::Dop853, StepperName::DormandPrinceRkn8, StepperName::Rk4].contains(&contender.stepper));
+        assert!(point.error.unwrap() <= winner.error);
+    }
+    // A tenth of a metre is all that there is to be wrong by.
+    let floors: Vec<f64> = bench
+        .swept
+        .iter()
+        .filter(|swept| swept.contender.precision == Precision::F32)
+        .map(|swept| swept.points.iter().filter_map(|point| point.error).fold(f64::INFINITY, f64::min))
+        .collect();
+    assert!(floors.iter().all(|floor| *floor > 1e-8), "{floors:?}");
+}
+
+/// Damping is nothing that the Nyström method knows: it does not run, and everybody else does.
+#[test]
+fn who_cannot_step_a_scene_does_not_run() {
+    let bench = measured(&OSCILLATOR.replace("rest_length", "damping = 0.1\nrest_length"));
+    let ran = |stepper| bench.swept.iter().any(|swept| swept.contender.stepper == stepper);
+    assert!(StepperName::ALL.iter().all(|stepper| ran(*stepper) == stepper.knows_damping()));
+}
+
+#[test]
+fn interrupted_before_there_is_a_reference_there_is_nothing() {
+    let (model, settings) = load(OSCILLATOR);
+    assert!(bench(&model, &settings, SHORT, &AtomicBool::new(true), |_| ()).unwrap().is_none());
+}
