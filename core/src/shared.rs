@@ -13,6 +13,11 @@ pub trait Divisible: Sized + Send {
     /// The particles that it writes to.
     fn slots(&self) -> Range<u32>;
 
+    /// Particles before its own that each part but the first goes through as well.
+    fn overlap(&self) -> u32 {
+        0
+    }
+
     /// The work on those before this slot, and on those from it on.
     fn halves(self, slot: u32) -> (Self, Self);
 
@@ -33,10 +38,13 @@ pub fn share<W: Divisible>(work: W, workers: Option<&dyn Workers>) -> W::Outcome
 
 fn among<W: Divisible>(work: W, workers: &dyn Workers, threads: u32) -> W::Outcome {
     let slots = work.slots();
-    // In proportion, and by whole tiles.
+    // In proportion to the threads, what parts go through in common included, and by whole tiles: who is done first goes
+    // to sleep, and takes longer to wake than a small step.
     let first_threads = threads / 2;
-    let cut = (u64::from(slots.end - slots.start) * u64::from(first_threads) / u64::from(threads.max(1))) as u32;
-    let slot = (slots.start + cut) / TILE * TILE;
+    let [all, first, overlap] = [threads, first_threads, work.overlap()].map(u64::from);
+    let whole = u64::from(slots.end - slots.start) + overlap * all.saturating_sub(1);
+    let cut = (whole * first / all.max(1)).saturating_sub(overlap * first.saturating_sub(1)) as u32;
+    let slot = slots.start.saturating_add(cut).saturating_add(TILE / 2) / TILE * TILE;
     if threads < 2 || slot <= slots.start || slot >= slots.end {
         return work.alone();
     }

@@ -162,11 +162,12 @@ fn step<R: Real>(
         Some(lost) => lost,
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
-    if core::mem::take(&mut view.is_next_finite) {
-        // Exact flight has seen to that itself.
+    // What springs pull at has been looked at before it was stopped, and exact flight has seen to that itself.
+    let looked_at = if stopped.is_some() { 0 } else { view.system.plan.attached };
+    if !core::mem::take(&mut view.is_next_finite) {
+        view.refuse_non_finite_from(looked_at)?;
+    } else if stopped.is_some() {
         view.attached().refuse_non_finite()?;
-    } else {
-        view.refuse_non_finite()?;
     }
     observer.lost_in_impacts(stopped.map_or(0.0, |answer| answer.lost) + lost);
     report.substeps += 1;

@@ -19,6 +19,10 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
         self.slots.clone()
     }
 
+    fn overlap(&self) -> u32 {
+        self.system.plan.span
+    }
+
     fn halves(self, slot: u32) -> (Self, Self) {
         let Self { system, position, velocity, slots, out, then, .. } = self;
         let (lower_out, upper_out) = split(out, slot - slots.start);

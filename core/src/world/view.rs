@@ -272,11 +272,16 @@ impl<'a, R: Real> View<'a, R> {
 
     /// Refuses a next state that is not finite, naming the first particle by number.
     pub(crate) fn refuse_non_finite(&self) -> Result<(), StepError> {
-        if self.is_next_finite {
-            return Ok(());
-        }
+        if self.is_next_finite { Ok(()) } else { self.refuse_non_finite_from(0) }
+    }
+
+    /// The same, where the states of the slots before this one are known to be finite.
+    pub(crate) fn refuse_non_finite_from(&self, first: u32) -> Result<(), StepError> {
         let columns = || self.next.position.iter().chain(&self.next.velocity);
-        let finite = columns().all(|column| column.iter().fold(true, |finite, value| finite & value.is_finite()));
+        let finite = columns().all(|column| {
+            let rest = column.get(first as usize..).unwrap_or_default();
+            rest.iter().fold(true, |finite, value| finite & value.is_finite())
+        });
         if finite {
             return Ok(());
         }
