@@ -112,7 +112,7 @@ fn reference(reference: &Reference) -> Vec<String> {
     )];
     match reference.confirmed {
         Some((stepper, distance)) => {
-            lines.push(format!("confirmed by {stepper}, which ends {} away", metres(distance)))
+            lines.push(format!("confirmed by {stepper}, which ends {} away", metres(distance)));
         }
         None => lines.push("no other method confirms it".to_owned()),
     }

@@ -30,10 +30,10 @@ pub const fn product<const STAGES: usize>(
     right: &[[f64; STAGES]; STAGES],
 ) -> [[f64; STAGES]; STAGES] {
     let mut product = [[0.0; STAGES]; STAGES];
-    let mut row = 0;
-    while row < STAGES {
-        product[row] = weighted(&left[row], right);
-        row += 1;
+    let (mut to, mut from) = (product.as_mut_slice(), left.as_slice());
+    while let ([row, further_to @ ..], [weights, further_from @ ..]) = (to, from) {
+        *row = weighted(weights, right);
+        (to, from) = (further_to, further_from);
     }
     product
 }
@@ -41,14 +41,14 @@ pub const fn product<const STAGES: usize>(
 /// The sum of the rows of a matrix with these weights.
 pub const fn weighted<const STAGES: usize>(weights: &[f64; STAGES], rows: &[[f64; STAGES]; STAGES]) -> [f64; STAGES] {
     let mut sum = [0.0; STAGES];
-    let mut column = 0;
-    while column < STAGES {
-        let mut row = 0;
-        while row < STAGES {
-            sum[column] += weights[row] * rows[row][column];
-            row += 1;
+    let (mut weights, mut rows) = (weights.as_slice(), rows.as_slice());
+    while let ([weight, further_weights @ ..], [row, further_rows @ ..]) = (weights, rows) {
+        let (mut to, mut from) = (sum.as_mut_slice(), row.as_slice());
+        while let ([entry, further_to @ ..], [part, further_from @ ..]) = (to, from) {
+            *entry += *weight * *part;
+            (to, from) = (further_to, further_from);
         }
-        column += 1;
+        (weights, rows) = (further_weights, further_rows);
     }
     sum
 }
