@@ -101,8 +101,9 @@ impl<R: Real> View<'_, R> {
             // What the stepper may remember of the state that was not to be must not pass for that of one to come.
             *self.epoch += 2;
         } else if let Some(sleep) = self.sleep
-            && self.fall_asleep(sleep, dt, observer)
+            && (self.fall_asleep(sleep, dt, observer) || self.watch.fell_asleep)
         {
+            // The next view moves them; until then every step remembers something anew.
             stepper.rearranged(self);
         }
         stepped

@@ -2,9 +2,9 @@
 //! does move along it, it is written.
 #![allow(clippy::expect_used, missing_docs)]
 
-use hooke::Real;
+use hooke::{Real, Sleep};
 use hooke_benches::scenes::balls;
-use hooke_runner::model::Model;
+use hooke_runner::model::{Hold, Model, ModelParticle, ModelSpring};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_tests::runs::Run;
 
@@ -59,6 +59,35 @@ fn pushed<R: Real>(accuracy: f64) {
         assert!((position[0] - expected).abs() <= accuracy, "ball {number}: {} m, not {expected}", position[0]);
         assert_eq!(position[1], began[1], "ball {number}");
     }
+}
+
+/// Islands that fall asleep change who is in which slot: a mass at rest on its spring beside the balls.
+fn beside_a_sleeper<R: Real>() {
+    let mut model = balls(BALLS);
+    let place = |z: f64, hold| ModelParticle { position: [-3.0, -2.0, z], velocity: [0.0; 3], mass: 0.25, hold };
+    // The spring's extension is m g/k.
+    let end = 4.0 - 1.0 - 0.25 * 9.81 / 100.0;
+    model.particles.insert(0, place(end, Hold::Free));
+    model.particles.insert(0, place(4.0, Hold::Pinned));
+    model.springs.push(ModelSpring { between: [0, 1], stiffness: 100.0, damping: 1.0, rest_length: 1.0 });
+    let mut run = run::<R>(&model);
+    let sleep = Sleep::below(R::from_f64(0.05)).after(R::from_f64(0.2));
+    run.world.set_sleep(Some(sleep)).expect("sound");
+    let start = states(&mut run);
+    for frame in 0..FRAMES {
+        run.steps(1, FRAME);
+        for (number, ((position, velocity), (began, _))) in states(&mut run).iter().zip(&start).enumerate().skip(2) {
+            assert_eq!(position[..2], began[..2], "frame {frame}, ball {number}");
+            assert_eq!(velocity[..2], [0.0; 2], "frame {frame}, ball {number}");
+        }
+    }
+    assert_eq!(run.world.view().plan().islands_asleep, 1);
+}
+
+#[test]
+fn an_island_that_falls_asleep_beside_them_changes_nothing() {
+    beside_a_sleeper::<f32>();
+    beside_a_sleeper::<f64>();
 }
 
 #[test]

@@ -23,6 +23,8 @@ pub struct Flights<R: Real, M: Storage> {
     still: [bool; 3],
     /// Which of the owner's two states hold what is still.
     holds_still: [bool; 2],
+    /// The slot of the first of them.
+    first_slot: u32,
     since: M::Particles<f64>,
     tau: M::Particles<R>,
     plane: M::Particles<u32>,
@@ -52,6 +54,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
             uniform: [true; 3],
             still: [false; 3],
             holds_still: [false; 2],
+            first_slot: 0,
             since: Column::EMPTY,
             tau: Column::EMPTY,
             plane: Column::EMPTY,
@@ -129,6 +132,10 @@ impl<R: Real, M: Storage> Flights<R, M> {
             velocity: split(lend(velocity), system.plan.attached).1,
         };
         // What is passed is looked at again right away, while it is in the caches.
+        if core::mem::replace(&mut self.first_slot, system.plan.attached) != system.plan.attached {
+            // Islands have fallen asleep, and who was in whose slot has changed: only the current state has followed.
+            self.holds_still = [0, 1].map(|state| state == *view.front);
+        }
         let axes = self.axes_to_write(*view.front ^ 1);
         let mut due = Due::NOTHING;
         let mut particles = 0..0;

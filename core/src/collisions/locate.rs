@@ -13,8 +13,8 @@ const MOST_STEPS: u32 = 8;
 /// The time after which a particle meets a plane, by Newton's method: steps of that length, each corrected by the gap that
 /// is left over the speed at its end. `guess` is where the parabola between the two states of a whole step has it.
 ///
-/// The path of the stepper itself is as exact as it is: no interpolation is. Where it turns round before it gets there
-/// the guess is kept.
+/// The path of the stepper itself is as exact as it is: no interpolation is. Nothing if it turns round before it gets
+/// there. A path that dips beyond a plane and is back within one step is not noticed.
 pub fn locate<R: Real>(
     view: &mut View<'_, R>,
     stepper: &mut impl Stepper<R>,
@@ -23,7 +23,7 @@ pub fn locate<R: Real>(
     guess: R,
     rest: R,
     report: &mut StepReport,
-) -> R {
+) -> Option<R> {
     let mut tau = guess;
     for _ in 0..MOST_STEPS {
         let mut attached = view.attached();
@@ -32,14 +32,14 @@ pub fn locate<R: Real>(
         let speed = dot(plane.normal, fetch(read(&attached.next.velocity), slot));
         let gap = plane.gap(position);
         if gap.abs() <= touching(plane, position) {
-            return tau;
+            return Some(tau);
         }
         let next = tau - gap / speed;
         // Not a number is no time either.
         if !(speed < R::ZERO && next > R::ZERO && next < rest) {
-            return guess;
+            return None;
         }
         tau = next;
     }
-    tau
+    Some(tau)
 }

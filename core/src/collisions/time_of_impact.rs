@@ -136,9 +136,14 @@ fn step<R: Real>(
                 break;
             }
             start.save(view);
+            // Where the path does not meet the plane after all, the step is cut all the same: the rest is known better.
+            let mut meets = true;
             if hit.tau > R::ZERO {
                 if stepper.order() > PARABOLA {
-                    hit.tau = locate(view, stepper, hit.slot, &hit.plane, hit.tau, rest, &mut report);
+                    match locate(view, stepper, hit.slot, &hit.plane, hit.tau, rest, &mut report) {
+                        Some(tau) => hit.tau = tau,
+                        None => meets = false,
+                    }
                 }
                 report.add(&stepper.advance(&mut view.attached(), hit.tau));
                 view.attached().refuse_non_finite()?;
@@ -148,10 +153,10 @@ fn step<R: Real>(
             } else {
                 view.next.copy_from(&view.current);
             }
-            let answer = bounce(&mut view.attached(), &hit, dt);
+            let answer = if meets { bounce(&mut view.attached(), &hit, dt) } else { Answer::default() };
             observer.lost_in_impacts(answer.lost);
             report.hits += answer.hits;
-            view.commit(view.clock.later(hit.tau.to_f64()), true);
+            view.commit(view.clock.later(hit.tau.to_f64()), meets);
             rest -= hit.tau;
         }
         if stopped.is_none() {

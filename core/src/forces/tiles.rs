@@ -54,17 +54,12 @@ pub struct Accelerations<'a, R, T> {
 #[repr(C, align(64))]
 struct Room<R> {
     from_above: [[R; TILE as usize]; 3],
-    nowhere: [[R; TILE as usize]; 3],
     /// Of particles of one mass, 1/kg.
     inverse_mass: [R; TILE as usize],
 }
 
 impl<R: Real> Room<R> {
-    const ZERO: Self = Self {
-        from_above: [[R::ZERO; TILE as usize]; 3],
-        nowhere: [[R::ZERO; TILE as usize]; 3],
-        inverse_mass: [R::ZERO; TILE as usize],
-    };
+    const ZERO: Self = Self { from_above: [[R::ZERO; TILE as usize]; 3], inverse_mass: [R::ZERO; TILE as usize] };
 }
 
 /// What came of it.
@@ -84,7 +79,15 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
         let mut room = Room::ZERO;
-        let Room { from_above, nowhere, inverse_mass } = &mut room;
+        let Room { from_above, inverse_mass } = &mut room;
+        // Only who does not begin with the first tile goes through others' springs: nobody else makes it 0.
+        let mut elsewhere;
+        let mut nowhere: ColumnsMut<'_, R> = if pulled.start > 0 {
+            elsewhere = [[R::ZERO; TILE as usize]; 3];
+            elsewhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice)
+        } else {
+            Default::default()
+        };
         inverse_mass.fill(at(system.inverse_mass, system.plan.of_one_mass.0));
         let mut sweep = Sweep::reaching(&system.springs.first(system.plan.live()), system.plan.span, pulled.start);
         while sweep.slot < pulled.end {
@@ -101,7 +104,7 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
                 above: from_above.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
                 slots: pulled.clone(),
                 below: lend(&mut out),
-                nowhere: nowhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
+                nowhere: lend(&mut nowhere),
             };
             let window = window.as_deref_mut().filter(|_| is_ours);
             let pull = Pull { system, sweep: &mut sweep, tile: tile.clone(), window, forces: &mut forces };

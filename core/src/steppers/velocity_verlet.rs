@@ -21,6 +21,8 @@ pub struct VelocityVerlet<R: Real, M: Storage> {
     acceleration: [[M::Particles<R>; 3]; 2],
     /// The epochs of the states that they belong to, the current one's first; 0 is none.
     epoch: [u64; 2],
+    /// How many particles they are of: a response may leave some to others.
+    particles: u32,
     /// Which of the two is the current state's.
     front: usize,
     /// That one is in the order of particles' numbers, until it is known to which slots they have been moved.
@@ -31,7 +33,13 @@ impl<R: Real, M: Storage> VelocityVerlet<R, M> {
     /// Without room for any particles yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { acceleration: [const { [const { Column::EMPTY }; 3] }; 2], epoch: [0; 2], front: 0, by_number: false }
+        Self {
+            acceleration: [const { [const { Column::EMPTY }; 3] }; 2],
+            epoch: [0; 2],
+            particles: 0,
+            front: 0,
+            by_number: false,
+        }
     }
 }
 
@@ -88,8 +96,10 @@ impl<R: Real, M: Storage> Stepper<R> for VelocityVerlet<R, M> {
             }
             self.change_sides();
         }
+        let particles = view.system.plan.particles;
+        let is_whole = core::mem::replace(&mut self.particles, particles) == particles;
         let Sides { now: mut acceleration, beside: next_acceleration, epoch: [epoch, next_epoch] } = self.sides();
-        if *epoch != *view.epoch {
+        if !is_whole || *epoch != *view.epoch {
             let (x, v) = (read(&view.current.position), read(&view.current.velocity));
             view.system.accelerations(x, v, lend(&mut acceleration), &mut report);
             *epoch = *view.epoch;

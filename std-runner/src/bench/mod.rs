@@ -42,16 +42,23 @@ pub fn bench(
 ) -> Result<Option<Bench>, RunError> {
     let Some(reference) = Reference::of(model, settings, interrupted)? else { return Ok(None) };
     let mut bench = Bench { reference, swept: Vec::new(), interrupted: false };
+    if bench.reference.positions.is_empty() {
+        // There is nothing to measure errors against.
+        return Ok(Some(bench));
+    }
     for contender in Contender::all(model) {
-        match sweep::sweep(model, settings, contender, &bench.reference, longest, interrupted)? {
-            Some(swept) => {
+        match sweep::sweep(model, settings, contender, &bench.reference, longest, interrupted) {
+            Ok(Some(swept)) => {
                 tell(&swept);
                 bench.swept.push(swept);
             }
-            None => {
+            Ok(None) => {
                 bench.interrupted = true;
                 break;
             }
+            // Its precision cannot hold the scene.
+            Err(RunError::Build(_)) => {}
+            Err(error) => return Err(error),
         }
     }
     Ok(Some(bench))

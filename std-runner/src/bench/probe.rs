@@ -32,8 +32,8 @@ pub struct Probe {
 pub enum Probed {
     /// It reached the end.
     Finished(Probe),
-    /// It left the finite numbers, or could not solve a step.
-    Diverged,
+    /// It left the finite numbers, or could not solve a step; after this time.
+    Diverged(Duration),
     /// It was ended from outside.
     Interrupted,
 }
@@ -70,7 +70,7 @@ fn probe_in<R: Sample>(model: &Model, settings: &Settings, interrupted: &AtomicB
                 linear_work: summary.linear_iterations + summary.factorisations,
             })
         }
-        _ => Probed::Diverged,
+        _ => Probed::Diverged(summary.stepping),
     })
 }
 
@@ -79,7 +79,7 @@ pub fn distance(left: &[Positions], right: &[Positions]) -> f64 {
     let pairs = left.iter().flatten().zip(right.iter().flatten());
     let squares = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>());
     // What is not a number is no small distance.
-    squares.fold(0.0, |largest: f64, square| if square <= largest { largest } else { square }).sqrt()
+    squares.fold(0.0, |largest: f64, square| if square.is_nan() { f64::INFINITY } else { largest.max(square) }).sqrt()
 }
 
 struct Keep(Arc<Mutex<Vec<Positions>>>);

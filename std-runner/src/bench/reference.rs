@@ -53,14 +53,14 @@ impl Reference {
         for _ in 0..=MOST_DOUBLINGS {
             let positions = match probe(model, &settings, steps, interrupted)? {
                 Probed::Finished(probe) => Some(probe.positions),
-                Probed::Diverged => None,
+                Probed::Diverged(_) => None,
                 Probed::Interrupted => return Ok(None),
             };
             if let (Some(before), Some(now)) = (&before, &positions) {
                 let change = distance(before, now);
                 // Past where rounding takes over more steps make it worse.
                 let ends = change <= SETTLED * size || change > 0.5 * settled;
-                settled = settled.min(change);
+                settled = change;
                 if ends {
                     break;
                 }
@@ -74,12 +74,12 @@ impl Reference {
         let other = Settings { stepper, ..settings.clone() };
         let confirmed = match probe(model, &other, times * steps, interrupted)? {
             Probed::Finished(probe) => Some((stepper, distance(&positions, &probe.positions))),
-            Probed::Diverged => None,
+            Probed::Diverged(_) => None,
             Probed::Interrupted => return Ok(None),
         };
         let growth = match probe(&moved(model, PERTURBATION * size), &settings, steps, interrupted)? {
             Probed::Finished(probe) => distance(&positions, &probe.positions) / (PERTURBATION * size),
-            Probed::Diverged => f64::INFINITY,
+            Probed::Diverged(_) => f64::INFINITY,
             Probed::Interrupted => return Ok(None),
         };
         Ok(Some(Self { positions, steps, settled, confirmed, growth, size, bound }))

@@ -39,7 +39,7 @@ pub struct Point {
     pub time_step: f64,
     /// The largest distance of any particle from the reference at any checkpoint, m; nothing for a run that diverged.
     pub error: Option<f64>,
-    /// The shortest time of any repetition, s.
+    /// The shortest time of any repetition, s; of one that diverged until then.
     pub seconds: f64,
     /// Evaluations of all forces.
     pub force_evaluations: u64,
@@ -119,7 +119,7 @@ fn measure(
         let Probe { positions, stepping, force_evaluations, linear_work } =
             match probe(model, settings, steps, interrupted)? {
                 Probed::Finished(probe) => probe,
-                Probed::Diverged => return Ok(Some(point)),
+                Probed::Diverged(stepping) => return Ok(Some(Point { seconds: stepping.as_secs_f64(), ..point })),
                 Probed::Interrupted => return Ok(None),
             };
         shortest = shortest.min(stepping);

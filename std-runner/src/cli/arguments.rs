@@ -46,7 +46,7 @@ Every stepper runs the scene in both precisions, with time steps from 0.9 of its
 gain nothing. The error is the largest distance of any particle, at four times, from DOP853 in f64 with so many steps that
 more change nothing. Times are of one thread, the shortest of several runs, without recording.
 
-Ctrl-C ends it after the run it is at; what has been measured is told.
+Ctrl-C ends it; the steppers that have been measured are told.
 Exit codes: 0 done, 1 the measurement failed, 2 the input is wrong, 130 interrupted.";
 
 const NEW_EXAMPLES: &str = "\

@@ -22,6 +22,8 @@ pub struct Terms<R, const STAGES: usize> {
 /// Writes such a state, once the last of the accelerations is known.
 pub struct Combination<'a, R, const STAGES: usize> {
     pub terms: Terms<R, STAGES>,
+    /// Whether it is to be finite: only of the step itself, as no sum gets finite again.
+    pub is_step: bool,
     pub lanes: Lanes,
     /// x and v, of all slots.
     pub state: (Columns<'a, R>, Columns<'a, R>),
@@ -33,7 +35,7 @@ pub struct Combination<'a, R, const STAGES: usize> {
 }
 
 impl<R: Real, const STAGES: usize> Combination<'_, R, STAGES> {
-    /// Of so many particles, the last acceleration being known as well. Returns whether it is finite.
+    /// Of so many particles, the last acceleration being known as well. Returns whether it is finite, if that is asked.
     pub fn of_known(mut self, particles: u32, last: Columns<'_, R>) -> bool {
         tiles(0..particles).fold(true, |finite, tile| {
             let fresh = window(last, tile.clone());
@@ -48,14 +50,15 @@ impl<R: Real, const STAGES: usize> Combination<'_, R, STAGES> {
         let position = cut_mut(lend(&mut self.to.position), to.clone())?;
         let velocity = cut_mut(lend(&mut self.to.velocity), to)?;
         let Terms { drift, position: p, velocity: q } = self.terms;
+        let is_checked = self.is_step;
         let mut finite = true;
         for (axis, ((to, x), v)) in position.into_iter().zip(x).zip(v).enumerate() {
             let accelerations = accelerations(self.known, fresh, axis, &tile, p)?;
-            finite &= lanes::run(self.lanes, Sum { to, from: x, drift: Some((drift, v)), accelerations });
+            finite &= lanes::run(self.lanes, Sum { to, from: x, drift: Some((drift, v)), accelerations, is_checked });
         }
         for (axis, ((to, v), q)) in velocity.into_iter().zip(v).zip(q.into_iter().cycle()).enumerate() {
             let accelerations = accelerations(self.known, fresh, axis, &tile, q)?;
-            finite &= lanes::run(self.lanes, Sum { to, from: v, drift: None, accelerations });
+            finite &= lanes::run(self.lanes, Sum { to, from: v, drift: None, accelerations, is_checked });
         }
         Some(finite)
     }
@@ -116,15 +119,16 @@ struct Sum<'a, R, const STAGES: usize> {
     /// h and v
     drift: Option<(R, &'a [R])>,
     accelerations: Accelerations<'a, R, STAGES>,
+    is_checked: bool,
 }
 
 impl<R: Real, const STAGES: usize> Kernel for Sum<'_, R, STAGES> {
-    /// Whether it is finite.
+    /// Whether it is finite, if that is asked.
     type Output = bool;
 
     #[inline(always)]
     fn run(self, _set: impl Set) -> bool {
-        let Self { to, from, drift, accelerations } = self;
+        let Self { to, from, drift, accelerations, is_checked } = self;
         match drift {
             Some((h, v)) => {
                 for ((to, from), v) in to.iter_mut().zip(from).zip(v) {
@@ -146,6 +150,6 @@ impl<R: Real, const STAGES: usize> Kernel for Sum<'_, R, STAGES> {
                 *to += *p * *a;
             }
         }
-        to.iter().fold(true, |finite, value| finite & value.is_finite())
+        !is_checked || to.iter().fold(true, |finite, value| finite & value.is_finite())
     }
 }

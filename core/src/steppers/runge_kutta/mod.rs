@@ -31,6 +31,8 @@ pub struct RungeKutta<R: Real, M: Storage, T, const STAGES: usize> {
     stage: StateColumns<R, M>,
     /// The epochs of the states that the first acceleration belongs to, and the last one; 0 is none.
     epochs: [u64; 2],
+    /// How many particles they are of: a response may leave some to others.
+    particles: u32,
     tableau: PhantomData<T>,
 }
 
@@ -42,6 +44,7 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             acceleration: [const { [const { Column::EMPTY }; 3] }; STAGES],
             stage: StateColumns::EMPTY,
             epochs: [0; 2],
+            particles: 0,
             tableau: PhantomData,
         }
     }
@@ -80,7 +83,8 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
     }
 
     fn run(&mut self, view: &mut View<'_, R>, dt: R, report: &mut StepReport) {
-        let is_kept = self.is_kept(*view.epoch);
+        let particles = view.system.plan.particles;
+        let is_kept = core::mem::replace(&mut self.particles, particles) == particles && self.is_kept(*view.epoch);
         let View { system, current, next, .. } = view;
         let (position, velocity) = self.stage.lend();
         let mut spare = State { position, velocity };
@@ -106,6 +110,7 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             let terms = Self::terms(dt, stage + 1, with_velocity);
             let combination = Combination {
                 terms,
+                is_step: stage + 1 == STAGES,
                 lanes: system.lanes,
                 state: x,
                 known: known.get(..stage).unwrap_or_default(),
