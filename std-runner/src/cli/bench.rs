@@ -9,7 +9,7 @@ use super::Outcome;
 use super::arguments::BenchArguments;
 use super::failure::Failure;
 use super::interrupt;
-use super::outputs::{STANDARD_OUTPUT, check_place};
+use super::outputs::check_place;
 use super::print;
 use super::scene::{Loaded, out_of_range};
 use super::table::rows;
@@ -19,7 +19,7 @@ use crate::units::{count, metres, seconds};
 
 pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
-    let to_standard_output = arguments.out.as_ref().is_some_and(|out| out.as_os_str() == STANDARD_OUTPUT);
+    let to_standard_output = arguments.out.as_ref().is_some_and(|out| out.as_os_str() == "-");
     if let Some(out) = arguments.out.as_ref().filter(|_| !to_standard_output) {
         check_place(out, "the table's place")?;
     }
