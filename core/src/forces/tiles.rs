@@ -80,9 +80,9 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let mut outcome = Outcome { degenerate: 0, finite: true };
         let mut room = Room::ZERO;
         let Room { from_above, inverse_mass } = &mut room;
-        // Only who does not begin with the first tile goes through others' springs: nobody else makes it 0.
+        // Only of a part springs reach what is not its own: the whole need not make it 0.
         let mut elsewhere;
-        let mut nowhere: ColumnsMut<'_, R> = if pulled.start > 0 {
+        let mut nowhere: ColumnsMut<'_, R> = if pulled != (0..attached) {
             elsewhere = [[R::ZERO; TILE as usize]; 3];
             elsewhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice)
         } else {
