@@ -97,7 +97,8 @@ impl<R: Real, M: Storage> Stepper<R> for VelocityVerlet<R, M> {
             self.change_sides();
         }
         let particles = view.system.plan.particles;
-        let is_whole = core::mem::replace(&mut self.particles, particles) == particles;
+        // There are fewer once some sleep.
+        let is_whole = core::mem::replace(&mut self.particles, particles) >= particles;
         let Sides { now: mut acceleration, beside: next_acceleration, epoch: [epoch, next_epoch] } = self.sides();
         if !is_whole || *epoch != *view.epoch {
             let (x, v) = (read(&view.current.position), read(&view.current.velocity));

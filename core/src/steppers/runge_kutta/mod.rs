@@ -84,7 +84,7 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
 
     fn run(&mut self, view: &mut View<'_, R>, dt: R, report: &mut StepReport) {
         let particles = view.system.plan.particles;
-        let is_kept = core::mem::replace(&mut self.particles, particles) == particles && self.is_kept(*view.epoch);
+        let is_kept = core::mem::replace(&mut self.particles, particles) >= particles && self.is_kept(*view.epoch);
         let View { system, current, next, .. } = view;
         let (position, velocity) = self.stage.lend();
         let mut spare = State { position, velocity };
