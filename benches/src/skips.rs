@@ -1,9 +1,9 @@
 //! What a scene may not need, each as a pair: steps with it and steps without.
 
-use hooke::{Auto, Project, Sleep, TimeOfImpact};
+use hooke::Sleep;
 use hooke_runner::model::{Hold, Model, ModelPlane};
-use hooke_runner::scene::StepperName;
-use hooke_runner::simulate::{AnyStepper, Heap, HeapWorld, world};
+use hooke_runner::scene::{CollisionForm, StepperName};
+use hooke_runner::simulate::{AnyResponse, AnyStepper, HeapWorld, world};
 
 use crate::scenes::{GRAVITY, balls, cloth, ropes, thrown_balls};
 
@@ -118,23 +118,18 @@ fn pin_half(model: &mut Model) {
 }
 
 fn steps(model: &Model, gravity: [f64; 3], stepper: StepperName) -> Steps {
-    stepping(built(model, gravity), stepper, TIME_STEP, 1)
+    stepping(built(model, gravity), Method::projecting(stepper), TIME_STEP, 1)
 }
 
 /// Balls over a plane, each step a sixtieth of a second, taken in so many parts.
 fn frames(stepper: StepperName, parts: u16) -> Steps {
-    stepping(built(&balls(10_000), GRAVITY), stepper, 1.0 / 60.0 / f32::from(parts), parts.into())
+    stepping(built(&balls(10_000), GRAVITY), Method::projecting(stepper), 1.0 / 60.0 / f32::from(parts), parts.into())
 }
 
 /// A sixtieth of a second each.
 fn flights(model: &Model) -> Steps {
-    let mut world = built(model, GRAVITY);
-    let (mut auto, mut response) = (Auto::<f32, Heap>::new(TOLERANCE), TimeOfImpact::<f32, Heap>::new());
-    Box::new(move |steps| {
-        for _ in 0..steps {
-            world.step(&mut auto, &mut response, 1.0 / 60.0).expect("a step that can be taken");
-        }
-    })
+    let method = Method::new(StepperName::Auto, CollisionForm::TimeOfImpact);
+    stepping(built(model, GRAVITY), method, 1.0 / 60.0, 1)
 }
 
 /// Ropes that lie still, without gravity, one in a hundred of which swings.
@@ -148,16 +143,16 @@ fn ropes_at_rest(sleep: Option<Sleep<f32>>) -> Steps {
     }
     let mut world = built(&model, [0.0; 3]);
     world.set_sleep(sleep).expect("sound");
-    take(&mut world, &mut AnyStepper::named(euler(), TOLERANCE), time_step, 100);
+    Method::projecting(euler()).take(&mut world, time_step, 100);
     assert_eq!(world.view().plan().islands_asleep, if sleep.is_some() { 198 } else { 0 });
-    stepping(world, euler(), time_step, 1)
+    stepping(world, Method::projecting(euler()), time_step, 1)
 }
 
 /// It never comes to rest.
 fn cloth_that_may_sleep(may: bool) -> Steps {
     let mut world = built(&cloth(64, 0.05), GRAVITY);
     world.set_sleep(may.then(|| Sleep::below(1e-6))).expect("sound");
-    stepping(world, euler(), TIME_STEP, 1)
+    stepping(world, Method::projecting(euler()), TIME_STEP, 1)
 }
 
 fn built(model: &Model, gravity: [f64; 3]) -> HeapWorld<f32> {
@@ -165,13 +160,26 @@ fn built(model: &Model, gravity: [f64; 3]) -> HeapWorld<f32> {
 }
 
 /// Steps of a world, each taken in so many parts of `time_step` seconds.
-fn stepping(mut world: HeapWorld<f32>, stepper: StepperName, time_step: f32, parts: u32) -> Steps {
-    let mut stepper = AnyStepper::named(stepper, TOLERANCE);
-    Box::new(move |steps| take(&mut world, &mut stepper, time_step, steps * parts))
+fn stepping(mut world: HeapWorld<f32>, mut method: Method, time_step: f32, parts: u32) -> Steps {
+    Box::new(move |steps| method.take(&mut world, time_step, steps * parts))
 }
 
-fn take(world: &mut HeapWorld<f32>, stepper: &mut AnyStepper<f32>, time_step: f32, steps: u32) {
-    for _ in 0..steps {
-        world.step(stepper, &mut Project, time_step).expect("a stable step");
+/// What steps, and what answers collisions.
+struct Method(AnyStepper<f32>, AnyResponse<f32>);
+
+impl Method {
+    fn new(stepper: StepperName, form: CollisionForm) -> Self {
+        Self(AnyStepper::named(stepper, TOLERANCE), AnyResponse::named(form))
+    }
+
+    fn projecting(stepper: StepperName) -> Self {
+        Self::new(stepper, CollisionForm::Project)
+    }
+
+    fn take(&mut self, world: &mut HeapWorld<f32>, time_step: f32, steps: u32) {
+        let Self(stepper, response) = self;
+        for _ in 0..steps {
+            world.step(stepper, response, time_step).expect("a stable step");
+        }
     }
 }

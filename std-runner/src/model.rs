@@ -68,6 +68,14 @@ pub struct Model {
     pub tracks: Vec<Track>,
 }
 
+impl Model {
+    /// How many springs have damping.
+    #[must_use]
+    pub fn damped_springs(&self) -> usize {
+        self.springs.iter().filter(|spring| spring.damping != 0.0).count()
+    }
+}
+
 /// Where a picture is seen from: what a scene leaves out is chosen to show all of it.
 #[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -23,8 +23,8 @@ pub struct Flights<R: Real, M: Storage> {
     still: [bool; 3],
     /// Which of the owner's two states hold what is still.
     holds_still: [bool; 2],
-    /// The slot of the first of them.
-    first_slot: u32,
+    /// The slot of the first of them when they were written last; nothing where that has not been since they began.
+    first_slot: Option<u32>,
     since: M::Particles<f64>,
     tau: M::Particles<R>,
     plane: M::Particles<u32>,
@@ -54,7 +54,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
             uniform: [true; 3],
             still: [false; 3],
             holds_still: [false; 2],
-            first_slot: 0,
+            first_slot: None,
             since: Column::EMPTY,
             tau: Column::EMPTY,
             plane: Column::EMPTY,
@@ -115,8 +115,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
     /// All flights begin anew from the current state, at the time `now`.
     fn begin(&mut self, view: &View<'_, R>, now: f64) {
         self.events().begin(view, now);
-        // What the flights begin from has been written by others.
-        self.holds_still = [0, 1].map(|state| state == *view.front);
+        self.first_slot = None;
         self.extent = Extent::of(view, now);
         (self.lost, self.told) = (0.0, 0.0);
         self.unreported = [0; 2];
@@ -132,8 +131,9 @@ impl<R: Real, M: Storage> Flights<R, M> {
             velocity: split(lend(velocity), system.plan.attached).1,
         };
         // What is passed is looked at again right away, while it is in the caches.
-        if core::mem::replace(&mut self.first_slot, system.plan.attached) != system.plan.attached {
-            // Islands have fallen asleep, and who was in whose slot has changed: only the current state has followed.
+        if self.first_slot.replace(system.plan.attached) != Some(system.plan.attached) {
+            // Others have written the current state alone, or islands have fallen asleep: who was in whose slot has
+            // changed then, and only the current state has followed.
             self.holds_still = [0, 1].map(|state| state == *view.front);
         }
         let axes = self.axes_to_write(*view.front ^ 1);

@@ -131,6 +131,7 @@ fn step<R: Real>(
             if report.substeps == MOST_SUBSTEPS {
                 observer.advanced(view, rest);
                 let answer = stop_all(view, observer.watches());
+                view.attached().refuse_non_finite()?;
                 report.capped += answer.hits;
                 stopped = Some(answer);
                 break;
@@ -167,12 +168,9 @@ fn step<R: Real>(
         Some(lost) => lost,
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
-    // What springs pull at has been looked at before it was stopped, and exact flight has seen to that itself.
-    let looked_at = if stopped.is_some() { 0 } else { view.system.plan.attached };
+    // What springs pull at has been looked at, and exact flight has seen to that itself.
     if !core::mem::take(&mut view.is_next_finite) {
-        view.refuse_non_finite_from(looked_at)?;
-    } else if stopped.is_some() {
-        view.attached().refuse_non_finite()?;
+        view.refuse_non_finite_from(view.system.plan.attached)?;
     }
     observer.lost_in_impacts(stopped.map_or(0.0, |answer| answer.lost) + lost);
     report.substeps += 1;

@@ -58,10 +58,6 @@ struct Room<R> {
     inverse_mass: [R; TILE as usize],
 }
 
-impl<R: Real> Room<R> {
-    const ZERO: Self = Self { from_above: [[R::ZERO; TILE as usize]; 3], inverse_mass: [R::ZERO; TILE as usize] };
-}
-
 /// What came of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outcome {
@@ -78,7 +74,10 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
-        let mut room = Room::ZERO;
+        let mut room = Room {
+            from_above: [[R::ZERO; TILE as usize]; 3],
+            inverse_mass: [at(system.inverse_mass, system.plan.of_one_mass.0); TILE as usize],
+        };
         let Room { from_above, inverse_mass } = &mut room;
         // Only of a part springs reach what is not its own: the whole need not make it 0.
         let mut elsewhere;
@@ -88,7 +87,6 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
         } else {
             Default::default()
         };
-        inverse_mass.fill(at(system.inverse_mass, system.plan.of_one_mass.0));
         let mut sweep = Sweep::reaching(&system.springs.first(system.plan.live()), system.plan.span, pulled.start);
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);

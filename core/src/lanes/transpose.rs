@@ -29,6 +29,26 @@ pub trait Set: Copy {
     }
 }
 
+/// [`Set::turn`] by the shuffles for `f32` and for `f64` that a set has.
+#[cfg(target_arch = "x86_64")]
+macro_rules! turn_by {
+    ($single:path, $double:path) => {
+        #[inline(always)]
+        fn turn<R: Real>(self, rows: &Rows<R>) -> Turned<R> {
+            let mut turned = [[R::ZERO; 8]; 6];
+            // SAFETY: there is no value of a set whose instructions are not there, and the arrays hold what their
+            // pointers say: `R` is the float of its size, as nothing but `f32` and `f64` is a `Real`.
+            unsafe {
+                match size_of::<R>() {
+                    4 => $single((&raw const *rows).cast(), (&raw mut turned).cast()),
+                    _ => $double((&raw const *rows).cast(), (&raw mut turned).cast()),
+                }
+            }
+            turned
+        }
+    };
+}
+
 /// What the whole program has been compiled for.
 #[derive(Clone, Copy)]
 pub struct Whole;
@@ -38,19 +58,7 @@ impl Set for Whole {}
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 impl Set for Whole {
-    #[inline(always)]
-    fn turn<R: Real>(self, rows: &Rows<R>) -> Turned<R> {
-        let mut turned = [[R::ZERO; 8]; 6];
-        // SAFETY: SSE2 is there, and the arrays hold what their pointers say: `R` is the float of its size, as nothing
-        // but `f32` and `f64` is a `Real`.
-        unsafe {
-            match size_of::<R>() {
-                4 => x86::single_by_fours((&raw const *rows).cast(), (&raw mut turned).cast()),
-                _ => x86::double_by_twos((&raw const *rows).cast(), (&raw mut turned).cast()),
-            }
-        }
-        turned
-    }
+    turn_by!(x86::single_by_fours, x86::double_by_twos);
 }
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
@@ -75,18 +83,7 @@ mod avx {
     }
 
     impl Set for Avx {
-        #[inline(always)]
-        fn turn<R: Real>(self, rows: &Rows<R>) -> Turned<R> {
-            let mut turned = [[R::ZERO; 8]; 6];
-            // SAFETY: AVX2 is there, or there would be no `Avx`; the arrays hold what their pointers say, as in `Whole`.
-            unsafe {
-                match size_of::<R>() {
-                    4 => x86::single_by_eights((&raw const *rows).cast(), (&raw mut turned).cast()),
-                    _ => x86::double_by_fours((&raw const *rows).cast(), (&raw mut turned).cast()),
-                }
-            }
-            turned
-        }
+        turn_by!(x86::single_by_eights, x86::double_by_fours);
     }
 }
 

@@ -79,9 +79,10 @@ impl<R: Real, M: Storage, const FILL: usize> Workspace<R, M, FILL> {
         self.resistance.fit(springs)
     }
 
-    /// What solves the linear systems of a step of `dt`.
-    pub fn linear_solver(&mut self, system: &System<'_, R>, dt: R) -> LinearSolver {
-        self.room.prepare(system, dt)
+    /// What solves the linear systems of a step of `dt`, with room for the world.
+    pub fn linear_solver(&mut self, system: &System<'_, R>, dt: R) -> Result<LinearSolver, Full> {
+        self.fit(&system.plan)?;
+        Ok(self.room.prepare(system, dt))
     }
 
     /// As slices, for a step of `dt`.

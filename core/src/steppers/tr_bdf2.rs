@@ -39,8 +39,7 @@ impl<R: Real, M: Storage, const FILL: usize> TrBdf2<R, M, FILL> {
     /// # Errors
     /// If the workspace has a fixed capacity and the world is larger.
     pub fn linear_solver(&mut self, view: &View<'_, R>, dt: R) -> Result<LinearSolver, Full> {
-        self.workspace.fit(&view.system.plan)?;
-        Ok(self.workspace.linear_solver(&view.system, part(dt)))
+        self.workspace.linear_solver(&view.system, part(dt))
     }
 }
 

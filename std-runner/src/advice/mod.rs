@@ -13,7 +13,7 @@ use crate::simulate::Start;
 
 pub use precision::vanishing_time_step;
 pub use skipped::{needed, skipped};
-pub use stability::{Remedy, largest_stable_step, limit_in_words};
+pub use stability::{Remedy, limit_in_words};
 
 /// What a piece of advice is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

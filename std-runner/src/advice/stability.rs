@@ -5,27 +5,8 @@ use hooke::{Choice, Chosen, StabilityBound};
 use super::{Advice, Subject, Topic};
 use crate::model::Model;
 use crate::scene::{Settings, StepperName, TimeStep};
-use crate::simulate::{Start, choose_time_step};
+use crate::simulate::{Start, choose_time_step, largest_stable_step};
 use crate::units::{seconds, times};
-
-/// The largest time step at which a stepper is sure to be stable, s: infinite for the implicit ones and `auto`, which
-/// turns to one of them. For explicit Euler it is only an upper limit.
-#[must_use]
-pub fn largest_stable_step(stepper: StepperName, bound: &StabilityBound) -> f64 {
-    match stepper {
-        StepperName::ExplicitEuler => bound.explicit_euler,
-        StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
-        StepperName::VelocityVerlet => bound.velocity_verlet,
-        StepperName::Rk4 => bound.rk4(),
-        StepperName::Dop853 => bound.dop853(),
-        StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
-        StepperName::ImplicitEuler
-        | StepperName::ImplicitEulerLinearised
-        | StepperName::ImplicitMidpoint
-        | StepperName::TrBdf2
-        | StepperName::Auto => f64::INFINITY,
-    }
-}
 
 /// The spring and the particle that set a bound.
 #[must_use]

@@ -108,11 +108,7 @@ impl Reference {
 /// What confirms a reference, and how many times its steps that takes: another method of eighth order where there is one,
 /// or one of fourth.
 fn confirming(model: &Model) -> (StepperName, u64) {
-    if model.springs.iter().all(|spring| spring.damping == 0.0) {
-        (StepperName::DormandPrinceRkn8, 2)
-    } else {
-        (StepperName::Rk4, 16)
-    }
+    if model.damped_springs() == 0 { (StepperName::DormandPrinceRkn8, 2) } else { (StepperName::Rk4, 16) }
 }
 
 /// A multiple of the checkpoints, of no longer steps than these.

@@ -5,10 +5,9 @@ use std::time::Duration;
 
 use super::probe::{Probe, Probed, distance, probe};
 use super::reference::{Reference, steps_of};
-use crate::advice::largest_stable_step;
 use crate::model::Model;
 use crate::scene::{Precision, Settings, StepperName};
-use crate::simulate::RunError;
+use crate::simulate::{RunError, largest_stable_step};
 
 /// A run is repeated until it has taken this long in all, and its shortest time counts.
 const REPEATED: Duration = Duration::from_millis(30);
@@ -59,8 +58,8 @@ pub struct Swept {
 impl Contender {
     /// All that can step a scene.
     pub(super) fn all(model: &Model) -> Vec<Self> {
-        let damped = model.springs.iter().any(|spring| spring.damping != 0.0);
-        let steppers = StepperName::ALL.iter().copied().filter(|stepper| !damped || stepper.knows_damping());
+        let is_damped = model.damped_springs() > 0;
+        let steppers = StepperName::ALL.iter().copied().filter(|stepper| !is_damped || stepper.knows_damping());
         steppers
             .flat_map(|stepper| Precision::ALL.iter().map(move |precision| Self { stepper, precision: *precision }))
             .collect()

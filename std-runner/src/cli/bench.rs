@@ -9,7 +9,7 @@ use super::Outcome;
 use super::arguments::BenchArguments;
 use super::failure::Failure;
 use super::interrupt;
-use super::outputs::check_place;
+use super::outputs::{check_place, is_standard_output};
 use super::print;
 use super::scene::{Loaded, out_of_range};
 use super::table::rows;
@@ -19,10 +19,17 @@ use crate::units::{count, metres, seconds};
 
 pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
-    let to_standard_output = arguments.out.as_ref().is_some_and(|out| out.as_os_str() == "-");
-    if let Some(out) = arguments.out.as_ref().filter(|_| !to_standard_output) {
-        check_place(out, "the table's place")?;
+    let (to_standard_output, file) = match arguments.out.as_deref() {
+        Some(out) if is_standard_output(out) => (true, None),
+        out => (false, out),
+    };
+    if let Some(file) = file {
+        check_place(file, "the table's place")?;
     }
+    let longest = Duration::try_from_secs_f64(arguments.longest).map_err(|error| {
+        let message = format!("--longest {}: {error}", arguments.longest);
+        Failure::input(message, "write a number of seconds, such as 1")
+    })?;
     let settings = loaded.scene.settings();
     let shown = stderr().is_terminal();
     if shown {
@@ -33,27 +40,19 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
             print::message(&format!("  {}", told(swept)));
         }
     };
-    let longest = Duration::try_from_secs_f64(arguments.longest).map_err(|error| {
-        let message = format!("--longest {}: {error}", arguments.longest);
-        Failure::input(message, "write a number of seconds, such as 1")
-    })?;
     let measured = measure(&loaded.model, settings, longest, interrupt::watch(), tell);
     let Some(measured) = measured.map_err(|error| refused(&error))? else { return Ok(Outcome::Interrupted) };
-    let table = csv(&settings.name, &measured);
-    match &arguments.out {
-        Some(_) if to_standard_output => {
-            print::message(&report(&settings.name, &measured));
-            print::data(table)?;
-        }
-        Some(out) => {
-            print::data(report(&settings.name, &measured))?;
-            fs::write(out, table).map_err(|error| {
-                let message = format!("cannot write {}: {error}", out.display());
+    let (report, table) = (report(&settings.name, &measured), csv(&settings.name, &measured));
+    if to_standard_output {
+        print::message(&report);
+        print::data(table)?;
+    } else {
+        print::data(report)?;
+        if let Some(file) = file {
+            fs::write(file, table).map_err(|error| {
+                let message = format!("cannot write {}: {error}", file.display());
                 Failure::failed(message, "make room there, or write to another place")
             })?;
-        }
-        None => {
-            print::data(report(&settings.name, &measured))?;
         }
     }
     Ok(if measured.interrupted { Outcome::Interrupted } else { Outcome::Done })

@@ -8,10 +8,10 @@ use super::failure::Failure;
 use super::print;
 use super::scene::{Loaded, warning};
 use super::table::rows;
-use crate::advice::{Subject, advise, largest_stable_step, limit_in_words, needed, skipped};
+use crate::advice::{Subject, advise, limit_in_words, needed, skipped};
 use crate::model::{Hold, Model};
 use crate::scene::{Settings, StepperName, TimeStep};
-use crate::simulate::{Start, choose_time_step};
+use crate::simulate::{Start, choose_time_step, largest_stable_step};
 use crate::units::{bytes, count, counted, seconds};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<Outcome, Failure> {

@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use super::Outcome;
 use super::arguments::NewArguments;
 use super::failure::Failure;
-use super::outputs::check_place;
+use super::outputs::{check_place, is_standard_output};
 use super::print;
 
 pub(super) fn new(arguments: &NewArguments) -> Result<Outcome, Failure> {
     let starter = arguments.starter;
     let path = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{starter}.toml")));
-    if path.as_os_str() == "-" {
+    if is_standard_output(&path) {
         return print::data(starter.text());
     }
     let shown = path.display();

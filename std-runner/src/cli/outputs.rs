@@ -99,7 +99,7 @@ impl Outputs {
 
 impl Output {
     fn check(path: &Path) -> Result<Self, Failure> {
-        if path.as_os_str() == "-" {
+        if is_standard_output(path) {
             return Ok(Self::Standard);
         }
         let shown = path.display();
@@ -144,6 +144,11 @@ impl Output {
             let _ = fs::remove_file(path);
         }
     }
+}
+
+/// Whether a path asks for standard output.
+pub(super) fn is_standard_output(path: &Path) -> bool {
+    path.as_os_str() == "-"
 }
 
 /// Refuses a path in a folder that does not exist, or that is a folder itself.

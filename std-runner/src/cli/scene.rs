@@ -50,7 +50,7 @@ impl Loaded {
 
 /// A stepper that knows no damping, and a scene that has some.
 fn refuse_damping(settings: &Settings, model: &Model) -> Result<(), Failure> {
-    let damped = model.springs.iter().filter(|spring| spring.damping != 0.0).count();
+    let damped = model.damped_springs();
     if settings.stepper.knows_damping() || damped == 0 {
         return Ok(());
     }

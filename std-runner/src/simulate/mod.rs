@@ -19,4 +19,4 @@ pub use run::{Options, Progress, RunError, Start, run};
 pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
 pub use threads::Threads;
-pub use time_step::choose_time_step;
+pub use time_step::{choose_time_step, largest_stable_step};

@@ -23,23 +23,35 @@ pub fn choose_time_step(settings: &Settings, plan: &Plan, bound: Option<&Stabili
         TimeStep::Auto => {
             let longest = LONGEST.min(settings.duration);
             let limit = bound.map_or(f64::INFINITY, |bound| match settings.stepper {
-                StepperName::Auto | StepperName::VelocityVerlet => bound.velocity_verlet,
-                StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
-                StepperName::Rk4 => bound.rk4(),
-                StepperName::Dop853 => bound.dop853(),
-                StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
+                // It is to step as Verlet while it can.
+                StepperName::Auto => bound.velocity_verlet,
                 // It has no stable one where anything is undamped: then it is at least to grow slowly.
-                StepperName::ExplicitEuler if bound.explicit_euler > 0.0 => bound.explicit_euler,
-                StepperName::ExplicitEuler => 0.01 / bound.frequency,
-                StepperName::ImplicitEuler
-                | StepperName::ImplicitEulerLinearised
-                | StepperName::ImplicitMidpoint
-                | StepperName::TrBdf2 => f64::INFINITY,
+                StepperName::ExplicitEuler if bound.explicit_euler <= 0.0 => 0.01 / bound.frequency,
+                stepper => largest_stable_step(stepper, bound),
             });
             let part = PART_OF_BOUND * limit;
             if part < longest { two_digits_below(part) } else { longest }
         }
     })
+}
+
+/// The largest time step at which a stepper is sure to be stable, s: infinite for the implicit ones and `auto`, which
+/// turns to one of them. For explicit Euler it is only an upper limit.
+#[must_use]
+pub fn largest_stable_step(stepper: StepperName, bound: &StabilityBound) -> f64 {
+    match stepper {
+        StepperName::ExplicitEuler => bound.explicit_euler,
+        StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
+        StepperName::VelocityVerlet => bound.velocity_verlet,
+        StepperName::Rk4 => bound.rk4(),
+        StepperName::Dop853 => bound.dop853(),
+        StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
+        StepperName::ImplicitEuler
+        | StepperName::ImplicitEulerLinearised
+        | StepperName::ImplicitMidpoint
+        | StepperName::TrBdf2
+        | StepperName::Auto => f64::INFINITY,
+    }
 }
 
 /// The largest number of two digits that is not larger: easier to read, and to write into a scene.

@@ -74,11 +74,10 @@ impl<R: Real, const STAGES: usize> Then<R> for Combination<'_, R, STAGES> {
 
     fn split(self, slot: u32) -> (Self, Self) {
         let State { position, velocity } = self.to;
-        let (lower, upper) = (split(position, slot - self.first), split(velocity, slot - self.first));
-        let halves = ((lower.0, upper.0), (lower.1, upper.1));
-        let ((position, velocity), (upper_position, upper_velocity)) = halves;
+        let (lower_position, upper_position) = split(position, slot - self.first);
+        let (lower_velocity, upper_velocity) = split(velocity, slot - self.first);
         (
-            Self { to: State { position, velocity }, ..self },
+            Self { to: State { position: lower_position, velocity: lower_velocity }, ..self },
             Self { to: State { position: upper_position, velocity: upper_velocity }, first: slot, ..self },
         )
     }

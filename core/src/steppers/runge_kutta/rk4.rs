@@ -1,7 +1,7 @@
 //! The classical method of order 4.
 
 use super::RungeKutta;
-use super::tableau::{Tableau, product, weighted};
+use super::tableau::{FirstOrder, row};
 
 /// Kutta's method of four stages and order 4 (*Beitrag zur näherungsweisen Integration totaler Differentialgleichungen*,
 /// 1901).
@@ -13,15 +13,9 @@ pub struct Kutta;
 /// Undamped it is stable up to ω dt = 2.828, and takes from an oscillation ω⁶dt⁶/72 of its energy a step.
 pub type Rk4<R, M> = RungeKutta<R, M, Kutta, 4>;
 
-const A: [[f64; 4]; 4] = [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
-const B: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
-
-impl Tableau<4> for Kutta {
+impl FirstOrder<4> for Kutta {
     const NODES: [f64; 4] = [0.0, 0.5, 0.5, 1.0];
-    const POSITION: [[f64; 4]; 4] = product(&A, &A);
-    const VELOCITY: Option<[[f64; 4]; 4]> = Some(A);
-    const POSITION_WEIGHTS: [f64; 4] = weighted(&B, &A);
-    const VELOCITY_WEIGHTS: [f64; 4] = B;
+    const MATRIX: [[f64; 4]; 4] = [row(&[]), row(&[0.5]), row(&[0.0, 0.5]), row(&[0.0, 0.0, 1.0])];
+    const WEIGHTS: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
     const ORDER: u32 = 4;
-    const FIRST_SAME_AS_LAST: bool = false;
 }

@@ -5,8 +5,7 @@
 /// Xᵢ = x + cᵢ dt v + dt² Σ āᵢⱼ Aⱼ, Vᵢ = v + dt Σ aᵢⱼ Aⱼ, Aᵢ = a(Xᵢ, Vᵢ),
 /// x′ = x + dt v + dt² Σ b̄ᵢ Aᵢ, v′ = v + dt Σ bᵢ Aᵢ
 ///
-/// (Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I*, §II.14). A Runge-Kutta method for equations
-/// of first order is the one with ā = a a and b̄ = b a.
+/// (Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I*, §II.14).
 pub trait Tableau<const STAGES: usize> {
     /// c
     const NODES: [f64; STAGES];
@@ -24,8 +23,41 @@ pub trait Tableau<const STAGES: usize> {
     const FIRST_SAME_AS_LAST: bool;
 }
 
+/// A method for equations of first order: the tableau with ā = a a and b̄ = b a.
+pub trait FirstOrder<const STAGES: usize> {
+    /// c
+    const NODES: [f64; STAGES];
+    /// a, below its diagonal.
+    const MATRIX: [[f64; STAGES]; STAGES];
+    /// b
+    const WEIGHTS: [f64; STAGES];
+    /// Of accuracy.
+    const ORDER: u32;
+}
+
+impl<T: FirstOrder<STAGES>, const STAGES: usize> Tableau<STAGES> for T {
+    const NODES: [f64; STAGES] = <T as FirstOrder<STAGES>>::NODES;
+    const POSITION: [[f64; STAGES]; STAGES] = product(&T::MATRIX, &T::MATRIX);
+    const VELOCITY: Option<[[f64; STAGES]; STAGES]> = Some(T::MATRIX);
+    const POSITION_WEIGHTS: [f64; STAGES] = weighted(&T::WEIGHTS, &T::MATRIX);
+    const VELOCITY_WEIGHTS: [f64; STAGES] = T::WEIGHTS;
+    const ORDER: u32 = <T as FirstOrder<STAGES>>::ORDER;
+    const FIRST_SAME_AS_LAST: bool = false;
+}
+
+/// A row of a matrix, given up to where nothing but zeros follow.
+pub const fn row<const STAGES: usize>(given: &[f64]) -> [f64; STAGES] {
+    let mut row = [0.0; STAGES];
+    let (mut to, mut from) = (row.as_mut_slice(), given);
+    while let ([entry, further_to @ ..], [value, further_from @ ..]) = (to, from) {
+        *entry = *value;
+        (to, from) = (further_to, further_from);
+    }
+    row
+}
+
 /// The product of two matrices.
-pub const fn product<const STAGES: usize>(
+const fn product<const STAGES: usize>(
     left: &[[f64; STAGES]; STAGES],
     right: &[[f64; STAGES]; STAGES],
 ) -> [[f64; STAGES]; STAGES] {
@@ -39,7 +71,7 @@ pub const fn product<const STAGES: usize>(
 }
 
 /// The sum of the rows of a matrix with these weights.
-pub const fn weighted<const STAGES: usize>(weights: &[f64; STAGES], rows: &[[f64; STAGES]; STAGES]) -> [f64; STAGES] {
+const fn weighted<const STAGES: usize>(weights: &[f64; STAGES], rows: &[[f64; STAGES]; STAGES]) -> [f64; STAGES] {
     let mut sum = [0.0; STAGES];
     let (mut weights, mut rows) = (weights.as_slice(), rows.as_slice());
     while let ([weight, further_weights @ ..], [row, further_rows @ ..]) = (weights, rows) {

@@ -1,11 +1,11 @@
 //! Whether a run is what was asked for, and if not, why and what to do.
 
-use crate::advice::{Remedy, largest_stable_step, limit_in_words};
+use crate::advice::{Remedy, limit_in_words};
 use crate::cli::Outcome;
 use crate::cli::failure::Failure;
 use crate::model::Model;
 use crate::scene::{Precision, Settings, StepperName};
-use crate::simulate::{Ending, Start, Summary};
+use crate::simulate::{Ending, Start, Summary, largest_stable_step};
 use crate::units::{count, counted, seconds, short, times};
 
 /// What the caller and the person are told.
