@@ -37,6 +37,12 @@ impl StabilityBound {
         self.within_half_disc(2.615)
     }
 
+    /// The largest time step at which [`crate::BlanesMoanS6`] is stable, s.
+    #[must_use]
+    pub fn blanes_moan_s6(&self) -> f64 {
+        (3.13 / self.frequency).at_most(6.0 / self.damping_rate)
+    }
+
     /// The largest time step at which [`crate::Dop853`] is stable, s.
     #[must_use]
     pub fn dop853(&self) -> f64 {

@@ -65,6 +65,29 @@ pub fn verlet_lagged([x, v, a]: [f64; 3], zeta: f64, h: f64) -> [f64; 3] {
     [x, half + 0.5 * h * next, next]
 }
 
+/// The first three kicks of S₆, which its last three mirror (Blanes and Moan 2002).
+pub const KICKS: [f64; 3] = [0.209515106613362, -0.143851773179818, 0.434336666566456];
+
+/// The first three drifts, which the last three mirror, and the one in the middle.
+const DRIFTS: [f64; 4] = [0.0792036964311957, 0.353172906049774, -0.0420650803577195, 0.2193769557534996];
+
+/// Drifts x' = x + a h v and kicks by turns, each kick the first four terms of the series of v′ = −x − 2ζv.
+#[must_use]
+pub fn blanes_moan_s6([mut x, mut v, _]: [f64; 3], zeta: f64, h: f64) -> [f64; 3] {
+    let [a_1, a_2, a_3, a_4] = DRIFTS;
+    let [b_1, b_2, b_3] = KICKS;
+    for (a, b) in [(a_1, b_1), (a_2, b_2), (a_3, b_3), (a_4, b_3), (a_3, b_2), (a_2, b_1), (a_1, 0.0)] {
+        x += a * h * v;
+        let mut term = acceleration(x, v, zeta);
+        for order in [1.0, 2.0, 3.0, 4.0] {
+            term *= b * h / order;
+            v += term;
+            term *= -2.0 * zeta;
+        }
+    }
+    [x, v, 0.0]
+}
+
 /// h below which explicit Euler is stable: 2ζ for ζ ≤ 1, else 2(ζ − √(ζ² − 1)), written without the difference.
 #[must_use]
 pub fn explicit_euler_limit(zeta: f64) -> f64 {

@@ -9,5 +9,5 @@ pub fn all() -> impl Iterator<Item = StepperName> + Clone {
 
 /// Those of first and second order.
 pub fn of_low_order() -> impl Iterator<Item = StepperName> + Clone {
-    all().filter(|stepper| !matches!(stepper, StepperName::Rk4 | StepperName::Dop853))
+    all().filter(|stepper| !matches!(stepper, StepperName::Rk4 | StepperName::BlanesMoanS6 | StepperName::Dop853))
 }

@@ -57,12 +57,18 @@ fn verlet_keeps_its_second_order() {
 }
 
 #[test]
-fn rk4_keeps_its_fourth_order() {
+fn methods_of_fourth_order_keep_it() {
     for problem in oscillators() {
-        let order = observed(&[4e-3, 2e-3, 1e-3, 5e-4], |dt| {
-            error(&problem, StepperName::Rk4, CollisionForm::TimeOfImpact, dt, problem.duration)
-        });
-        assert!(at_rest(&order) || (order.slope - 4.0).abs() < 0.15, "{}: {order:?}", problem.name);
+        let order = |stepper, steps: &[f64]| {
+            observed(steps, |dt| error(&problem, stepper, CollisionForm::TimeOfImpact, dt, problem.duration))
+        };
+        let rk4 = order(StepperName::Rk4, &[4e-3, 2e-3, 1e-3, 5e-4]);
+        assert!(at_rest(&rk4) || (rk4.slope - 4.0).abs() < 0.15, "{}: {rk4:?}", problem.name);
+        // Its error is a tenth of that, so its steps are longer. Where it grazes the plane again and again, whether it
+        // touches it is up to the last digits.
+        let s6 = order(StepperName::BlanesMoanS6, &[8e-3, 4e-3, 2e-3, 1e-3]);
+        let holds = if grazes(&problem) { s6.errors[3] < 1e-8 } else { (s6.slope - 4.0).abs() < 0.15 };
+        assert!(at_rest(&s6) || holds, "{}: {s6:?}", problem.name);
     }
 }
 

@@ -55,6 +55,21 @@ fn rk4_is_stable_up_to_its_limit() {
     }
 }
 
+/// S₆ undamped, by the trace of its matrix; damped its limit is never lower but where γ is what limits it.
+#[test]
+fn blanes_moan_s6_is_stable_up_to_its_limit() {
+    for zeta in DAMPING_RATIOS {
+        let limit = stability::limit(stability::blanes_moan_s6, zeta, 10.0).expect("it has one");
+        let bound = 3.13_f64.min(6.0 / (2.0 * zeta));
+        assert!(bound < limit, "{zeta}: {limit}");
+        assert!(zeta > 0.0 || limit < 1.002 * bound, "{limit}");
+        // Past the limit the undamped one grows by 1 % a step as far as h = 3.16, where it is stable once more.
+        let [below, above] = [0.99, 1.004].map(|part| growth(StepperName::BlanesMoanS6, zeta, part * limit));
+        assert!(below < 20.0, "{zeta}: {below:e}");
+        assert!(above > 100.0, "{zeta}: {above:e}");
+    }
+}
+
 /// Its leading term of frequency and of amplitude is the exact solution's: e^{−2ζh} of the square, but for h⁹.
 #[test]
 fn high_orders_amplify_like_the_exact_solution() {
@@ -103,11 +118,20 @@ fn tr_bdf2(z: Complex) -> f64 {
     square(above) / square([a + c, b + d])
 }
 
+/// Drifts keep areas; a kick b takes the first terms of e^{−2ζbh} of them.
+fn blanes_moan_s6(zeta: f64, h: f64) -> f64 {
+    let half = stability::KICKS.iter().map(|b| {
+        let z = -2.0 * zeta * b * h;
+        1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))
+    });
+    half.product::<f64>().powi(2)
+}
+
 #[test]
 fn amplification_is_the_closed_form() {
     use StepperName::{
-        Auto, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint, Rk4, SemiImplicitEuler, TrBdf2,
-        VelocityVerlet,
+        Auto, BlanesMoanS6, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint, Rk4,
+        SemiImplicitEuler, TrBdf2, VelocityVerlet,
     };
     for zeta in [0.0, 0.05, 0.3, 0.7] {
         for h in [0.01, 0.1, 0.5, 1.3] {
@@ -120,6 +144,7 @@ fn amplification_is_the_closed_form() {
                 (ImplicitMidpoint, (1.0 - zeta * h + h * h / 4.0) / (1.0 + zeta * h + h * h / 4.0)),
                 (TrBdf2, tr_bdf2(eigenvalue(zeta, h))),
                 (Rk4, square(polynomial(eigenvalue(zeta, h)))),
+                (BlanesMoanS6, blanes_moan_s6(zeta, h)),
             ];
             if zeta == 0.0 {
                 // Symplectic: areas are kept. (With damping the kept acceleration makes the state threefold.)

@@ -1,8 +1,9 @@
 //! The hot loop: the springs of a piece of a diagonal.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::law::force_density;
+use super::law::{Elastic, Tension};
 use super::tiles::Forces;
 use crate::Real;
 use crate::lanes::{self, SixColumns};
@@ -14,7 +15,7 @@ static NO_GAPS: [u8; TILE as usize] = [1; TILE as usize];
 
 /// Adds the forces of a piece. Returns how many of its springs have length 0.
 #[inline(always)]
-pub fn add<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces<'_, R>) -> u32 {
+pub fn add<R: Real, F: Tension>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces<'_, R>) -> u32 {
     // First the places whose upper ends lie within the slots that are asked for, then those where they lie past them.
     let upper = piece.first + piece.offset;
     let before = forces.slots.start.saturating_sub(upper).min(piece.places);
@@ -23,7 +24,7 @@ pub fn add<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces
     let mut degenerate = 0;
     loop {
         if !places.is_empty() {
-            degenerate += add_part(springs, &piece.part(places.clone()), forces).unwrap_or_default();
+            degenerate += add_part::<R, F>(springs, &piece.part(places.clone()), forces).unwrap_or_default();
         }
         if places.end == piece.places {
             return degenerate;
@@ -34,28 +35,31 @@ pub fn add<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces
 
 /// Adds the forces of a piece whose upper ends lie all within the slots that are asked for, or all past them.
 #[inline(always)]
-fn add_part<R: Real>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces<'_, R>) -> Option<u32> {
+fn add_part<R: Real, F: Tension>(springs: &Springs<'_, R>, piece: &Piece, forces: &mut Forces<'_, R>) -> Option<u32> {
     let law = springs.law(piece.spring);
     let damped = law.damping != R::ZERO;
+    if piece.uniform && !damped && !F::PULLS_UNDAMPED {
+        return Some(0);
+    }
     if !piece.uniform {
         let range = piece.spring..piece.spring + piece.places;
         let laws = cut([springs.stiffness, springs.damping, springs.rest_length], range)?;
         let laws = triples(laws);
         let laws = laws.map(|[stiffness, damping, rest_length]| (Law { stiffness, damping, rest_length }, true));
-        return pull::<R, true>(laws, piece, forces);
+        return pull::<R, F>(laws, piece, forces);
     }
     let Some(presences) = piece.presences else {
         let laws = NO_GAPS.get(..piece.places as usize)?.iter().map(|_| (law, true));
-        return if damped { pull::<R, true>(laws, piece, forces) } else { pull::<R, false>(laws, piece, forces) };
+        return if damped { pull::<R, F>(laws, piece, forces) } else { pull::<R, F::Undamped>(laws, piece, forces) };
     };
     let [presences] = cut([springs.presences], presences..presences + piece.places)?;
     let laws = presences.iter().map(|presence| (law, *presence != 0));
-    if damped { pull::<R, true>(laws, piece, forces) } else { pull::<R, false>(laws, piece, forces) }
+    if damped { pull::<R, F>(laws, piece, forces) } else { pull::<R, F::Undamped>(laws, piece, forces) }
 }
 
 /// Adds the forces of springs with these laws at the places where there are some.
 #[inline(always)]
-fn pull<R: Real, const DAMPED: bool>(
+fn pull<R: Real, F: Tension>(
     laws: impl Iterator<Item = (Law<R>, bool)> + Clone,
     piece: &Piece,
     forces: &mut Forces<'_, R>,
@@ -70,7 +74,7 @@ fn pull<R: Real, const DAMPED: bool>(
     };
     let position = [cut(forces.position, lower.clone())?, cut(forces.position, upper.clone())?];
     let velocity = [cut(forces.velocity, lower)?, cut(forces.velocity, upper)?];
-    let places = Places::<R, _, DAMPED> { laws: laws.clone(), position, velocity };
+    let places = Places::<R, _, F> { laws: laws.clone(), position, velocity, tension: PhantomData };
     let undirected = lanes::run_on_six(forces.lanes, places, above_x, above_y, above_z, below_x, below_y, below_z);
     Some(if undirected == 0 { 0 } else { count_degenerate(laws, position) })
 }
@@ -80,21 +84,22 @@ fn pull<R: Real, const DAMPED: bool>(
 fn count_degenerate<R: Real>(laws: impl Iterator<Item = (Law<R>, bool)>, [x_i, x_j]: [Columns<'_, R>; 2]) -> u32 {
     let places = triples(x_i).zip(triples(x_j)).zip(laws);
     let degenerate = places.filter(|((x_i, x_j), (law, is_there))| {
-        *is_there && !force_density::<R, false>(*law, difference(*x_j, *x_i), [R::ZERO; 3]).1
+        *is_there && !Elastic::force_density(*law, difference(*x_j, *x_i), [R::ZERO; 3]).1
     });
     degenerate.count() as u32
 }
 
 /// The places of a piece, each with or without a spring.
-struct Places<'a, R, I, const DAMPED: bool> {
+struct Places<'a, R, I, F> {
     laws: I,
     /// m, of the lower and the upper ends.
     position: [Columns<'a, R>; 2],
     /// m/s
     velocity: [Columns<'a, R>; 2],
+    tension: PhantomData<F>,
 }
 
-impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, const DAMPED: bool> SixColumns<R> for Places<'_, R, I, DAMPED> {
+impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, F: Tension> SixColumns<R> for Places<'_, R, I, F> {
     type Output = u32;
 
     /// The loop itself. Returns at how many places there is no direction, with or without a spring: which of those there
@@ -115,7 +120,7 @@ impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, const DAMPED: bool> SixColumns
         let mut undirected = 0;
         for ((((x_i, x_j), (v_i, v_j)), (law, is_there)), (above, below)) in states.zip(self.laws).zip(forces) {
             let d = difference(x_j, x_i);
-            let (q, has_direction) = force_density::<R, DAMPED>(law, d, difference(v_j, v_i));
+            let (q, has_direction) = F::force_density(law, d, difference(v_j, v_i));
             let force = scaled(if is_there { q } else { R::ZERO }, d);
             for ((above, below), force) in above.into_iter().zip(below).zip(force) {
                 *above += force;

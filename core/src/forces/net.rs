@@ -1,6 +1,6 @@
 //! What the springs of a single particle pull it with.
 
-use super::law::force_density;
+use super::law::{Damped, Tension};
 use crate::Real;
 use crate::vectors::{Columns, along, difference, fetch};
 use crate::world::System;
@@ -11,7 +11,7 @@ pub fn pull<R: Real>(system: &System<'_, R>, position: Columns<'_, R>, velocity:
     system.springs.of_slot(slot).iter().fold([R::ZERO; 3], |force, incidence| {
         let d = difference(fetch(position, incidence.neighbour), here);
         let rate = difference(fetch(velocity, incidence.neighbour), v);
-        let (q, _) = force_density::<R, true>(system.springs.law(incidence.spring), d, rate);
+        let (q, _) = Damped::force_density(system.springs.law(incidence.spring), d, rate);
         along(force, q, d)
     })
 }

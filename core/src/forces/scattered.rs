@@ -3,7 +3,7 @@
 
 use core::ops::Range;
 
-use super::law::force_density;
+use super::law::Tension;
 use super::tiles::Forces;
 use crate::Real;
 use crate::vectors::{along, difference, fetch, read, set, store, triples, triples_mut, window};
@@ -14,21 +14,13 @@ const BATCH: usize = 16;
 
 /// Adds the forces of these springs. Returns how many of them have length 0.
 #[inline(always)]
-pub fn add<R: Real, const DAMPED: bool>(
-    springs: &Springs<'_, R>,
-    range: Range<u32>,
-    forces: &mut Forces<'_, R>,
-) -> u32 {
+pub fn add<R: Real, F: Tension>(springs: &Springs<'_, R>, range: Range<u32>, forces: &mut Forces<'_, R>) -> u32 {
     let batches = stretches(range, BATCH as u32);
-    batches.fold(0, |degenerate, batch| degenerate + add_batch::<R, DAMPED>(springs, batch, forces))
+    batches.fold(0, |degenerate, batch| degenerate + add_batch::<R, F>(springs, batch, forces))
 }
 
 #[inline(always)]
-fn add_batch<R: Real, const DAMPED: bool>(
-    springs: &Springs<'_, R>,
-    batch: Range<u32>,
-    forces: &mut Forces<'_, R>,
-) -> u32 {
+fn add_batch<R: Real, F: Tension>(springs: &Springs<'_, R>, batch: Range<u32>, forces: &mut Forces<'_, R>) -> u32 {
     let [ends] = window([springs.ends], batch.clone());
     let mut d = [[R::ZERO; BATCH]; 3];
     let mut v = [[R::ZERO; BATCH]; 3];
@@ -36,7 +28,7 @@ fn add_batch<R: Real, const DAMPED: bool>(
         .zip(triples_mut(v.each_mut().map(<[R; BATCH]>::as_mut_slice)));
     for ((d, v), &[i, j]) in vectors.zip(ends) {
         set(d, difference(fetch(forces.position, j), fetch(forces.position, i)));
-        if DAMPED {
+        if F::READS_VELOCITY {
             set(v, difference(fetch(forces.velocity, j), fetch(forces.velocity, i)));
         }
     }
@@ -48,7 +40,7 @@ fn add_batch<R: Real, const DAMPED: bool>(
     let laws = triples(laws.each_ref().map(<[R; BATCH]>::as_slice));
     let found = q.iter_mut().zip(&mut directed);
     for (((q, directed), (d, v)), [stiffness, damping, rest_length]) in found.zip(states).zip(laws) {
-        (*q, *directed) = force_density::<R, DAMPED>(Law { stiffness, damping, rest_length }, d, v);
+        (*q, *directed) = F::force_density(Law { stiffness, damping, rest_length }, d, v);
     }
     let mut degenerate = 0;
     let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice));

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::law::Tension;
 use super::tiles::{Accelerations, Outcome, Then};
 use super::window::{self, Window};
 use crate::Real;
@@ -12,7 +13,7 @@ use crate::world::System;
 
 /// Each half writes to its own particles alone, and goes through the springs that pull at them in the same order as
 /// the whole would: the bits are the same. What both need of a spring across the cut is worked out twice.
-impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
+impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
     type Outcome = Outcome;
 
     fn slots(&self) -> Range<u32> {
@@ -24,13 +25,13 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
     }
 
     fn halves(self, slot: u32) -> (Self, Self) {
-        let Self { system, position, velocity, slots, out, then, .. } = self;
+        let Self { system, position, velocity, slots, out, then, tension, .. } = self;
         let (lower_out, upper_out) = split(out, slot - slots.start);
         let (lower_then, upper_then) = then.split(slot);
         let (lower, upper) = (slots.start..slot, slot..slots.end);
         (
-            Self { system, position, velocity, slots: lower, out: lower_out, then: lower_then, window: None },
-            Self { system, position, velocity, slots: upper, out: upper_out, then: upper_then, window: None },
+            Self { system, position, velocity, slots: lower, out: lower_out, then: lower_then, tension, window: None },
+            Self { system, position, velocity, slots: upper, out: upper_out, then: upper_then, tension, window: None },
         )
     }
 
@@ -50,7 +51,7 @@ impl<R: Real, T: Then<R>> Divisible for Accelerations<'_, R, T> {
 
 /// Apart, so that others need not have the room.
 #[inline(never)]
-fn through_window<R: Real, T: Then<R>>(work: Accelerations<'_, R, T>) -> Outcome {
+fn through_window<R: Real, T: Then<R>, F: Tension>(work: Accelerations<'_, R, T, F>) -> Outcome {
     let mut window = Window::new();
     // What a window writes in vectors of AVX2 is read right after: wider ones would wait until it has left the store buffer.
     let system = &System { lanes: work.system.lanes.min(Lanes::Avx2), ..*work.system };

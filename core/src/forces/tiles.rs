@@ -1,8 +1,10 @@
 //! Forces tile by tile: what a step does with them, it does while they are in the first cache.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use super::acceleration::{Acceleration, Falling, Pulled, Tile};
+use super::law::Tension;
 use super::sweep::Sweep;
 use super::window::Window;
 use super::{diagonal, scattered};
@@ -37,7 +39,7 @@ impl<R: Real> Then<R> for Keep {
 }
 
 /// a(x, v) of the particles in `slots`, written to `out`, and what follows.
-pub struct Accelerations<'a, R, T> {
+pub struct Accelerations<'a, R, T, F> {
     pub system: &'a System<'a, R>,
     pub position: Columns<'a, R>,
     pub velocity: Columns<'a, R>,
@@ -46,6 +48,8 @@ pub struct Accelerations<'a, R, T> {
     /// Of these slots.
     pub out: ColumnsMut<'a, R>,
     pub then: T,
+    /// What springs pull with.
+    pub tension: F,
     /// Where it pays to have one.
     pub window: Option<&'a mut Window<R>>,
 }
@@ -67,10 +71,10 @@ pub struct Outcome {
     pub finite: bool,
 }
 
-impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
+impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
     /// Nothing if a column is too short.
     pub fn go_through(self) -> Option<Outcome> {
-        let Self { system, position, velocity, slots, mut out, mut then, mut window } = self;
+        let Self { system, position, velocity, slots, mut out, mut then, mut window, .. } = self;
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
@@ -105,7 +109,14 @@ impl<R: Real, T: Then<R>> Accelerations<'_, R, T> {
                 nowhere: lend(&mut nowhere),
             };
             let window = window.as_deref_mut().filter(|_| is_ours);
-            let pull = Pull { system, sweep: &mut sweep, tile: tile.clone(), window, forces: &mut forces };
+            let pull = Pull {
+                system,
+                sweep: &mut sweep,
+                tile: tile.clone(),
+                window,
+                forces: &mut forces,
+                tension: PhantomData::<F>,
+            };
             let degenerate = lanes::run(system.lanes, pull)?;
             if !is_ours {
                 // It lies before these slots: its springs were gone through for what they pull at in them.
@@ -142,20 +153,21 @@ fn within(slots: &Range<u32>, part: &Range<u32>) -> Range<u32> {
 /// Adds the forces of the springs that begin in a tile. Returns how many of them have length 0.
 ///
 /// It is compiled for each set of instructions by itself, and not again for all that may follow.
-struct Pull<'a, 'b, 'c, R: Real> {
+struct Pull<'a, 'b, 'c, R: Real, F> {
     system: &'a System<'b, R>,
     sweep: &'a mut Sweep<'b>,
     tile: Range<u32>,
     window: Option<&'a mut Window<R>>,
     forces: &'a mut Forces<'c, R>,
+    tension: PhantomData<F>,
 }
 
-impl<R: Real> Kernel for Pull<'_, '_, '_, R> {
+impl<R: Real, F: Tension> Kernel for Pull<'_, '_, '_, R, F> {
     type Output = Option<u32>;
 
     #[inline(always)]
     fn run(self, set: impl Set) -> Option<u32> {
-        let Self { system, sweep, tile, window, forces } = self;
+        let Self { system, sweep, tile, window, forces, .. } = self;
         // With lengths that are known to be the same, a range is checked once for all columns.
         let particles = 0..system.plan.particles;
         let mut forces = Forces {
@@ -170,8 +182,10 @@ impl<R: Real> Kernel for Pull<'_, '_, '_, R> {
         };
         match window {
             // What nobody can have costs a program nothing.
-            Some(window) if cfg!(feature = "std") => add_windowed(system, sweep, &tile, window, &mut forces, set),
-            _ => Some(add_tile(system, sweep, tile.end, &mut forces)),
+            Some(window) if cfg!(feature = "std") => {
+                add_windowed::<R, F>(system, sweep, &tile, window, &mut forces, set)
+            }
+            _ => Some(add_tile::<R, F>(system, sweep, tile.end, &mut forces)),
         }
     }
 }
@@ -179,7 +193,7 @@ impl<R: Real> Kernel for Pull<'_, '_, '_, R> {
 /// Adds the forces of the springs that begin in a tile, through the window if most of them lie on no diagonal and none
 /// reaches too far. Returns how many of them have length 0.
 #[inline(always)]
-fn add_windowed<R: Real>(
+fn add_windowed<R: Real, F: Tension>(
     system: &System<'_, R>,
     sweep: &mut Sweep<'_>,
     tile: &Range<u32>,
@@ -191,14 +205,14 @@ fn add_windowed<R: Real>(
     let slots = tile.start..sweep.reach(tile).min(system.plan.attached);
     if slots.end > forces.slots.end || !Window::<R>::holds(&slots) || !sweep.is_mostly_scattered(tile.end) {
         window.let_go_of_all(lend(&mut forces.below), first)?;
-        return Some(add_tile(system, sweep, tile.end, forces));
+        return Some(add_tile::<R, F>(system, sweep, tile.end, forces));
     }
     window.keep(&slots, forces.position, forces.velocity, read(&forces.below), first)?;
     let springs = sweep.all(tile.end);
     let degenerate = if system.plan.damped == Coverage::None {
-        window.add::<false>(&system.springs, springs, set)?
+        window.add::<F::Undamped>(&system.springs, springs, set)?
     } else {
-        window.add::<true>(&system.springs, springs, set)?
+        window.add::<F>(&system.springs, springs, set)?
     };
     window.write_above(lend(&mut forces.above));
     window.let_go(tile.end, lend(&mut forces.below), first)?;
@@ -207,7 +221,12 @@ fn add_windowed<R: Real>(
 
 /// Adds the forces of the springs that begin in the tile up to `end`. Returns how many of them have length 0.
 #[inline(always)]
-fn add_tile<R: Real>(system: &System<'_, R>, sweep: &mut Sweep<'_>, end: u32, forces: &mut Forces<'_, R>) -> u32 {
+fn add_tile<R: Real, F: Tension>(
+    system: &System<'_, R>,
+    sweep: &mut Sweep<'_>,
+    end: u32,
+    forces: &mut Forces<'_, R>,
+) -> u32 {
     let springs = &system.springs;
     for column in lend(&mut forces.above) {
         column.fill(R::ZERO);
@@ -217,13 +236,13 @@ fn add_tile<R: Real>(system: &System<'_, R>, sweep: &mut Sweep<'_>, end: u32, fo
         let (scattered, piece) = sweep.next(end);
         if !scattered.is_empty() {
             degenerate += if system.plan.damped == Coverage::None {
-                scattered::add::<R, false>(springs, scattered, forces)
+                scattered::add::<R, F::Undamped>(springs, scattered, forces)
             } else {
-                scattered::add::<R, true>(springs, scattered, forces)
+                scattered::add::<R, F>(springs, scattered, forces)
             };
         }
         let Some(piece) = piece else { break };
-        degenerate += diagonal::add(springs, &piece, forces);
+        degenerate += diagonal::add::<R, F>(springs, &piece, forces);
     }
     sweep.slot = end;
     degenerate

@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use super::law::force_density;
+use super::law::Tension;
 use crate::Real;
 use crate::lanes::{Rows, Set};
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, set, triples, triples_mut};
@@ -107,12 +107,7 @@ impl<R: Real> Window<R> {
     /// Adds the forces of these springs, which begin in the tile that the slots begin with. Returns how many of them
     /// have length 0.
     #[inline(always)]
-    pub fn add<const DAMPED: bool>(
-        &mut self,
-        springs: &Springs<'_, R>,
-        range: Range<u32>,
-        set: impl Set,
-    ) -> Option<u32> {
+    pub fn add<F: Tension>(&mut self, springs: &Springs<'_, R>, range: Range<u32>, set: impl Set) -> Option<u32> {
         let range = range.start as usize..range.end as usize;
         let ends = springs.ends.get(range.clone())?.chunks(BATCH);
         let stiffness = springs.stiffness.get(range.clone())?.chunks(BATCH);
@@ -140,7 +135,7 @@ impl<R: Real> Window<R> {
             let states = triples([x, y, z]).zip(triples([u, v, w]));
             for ((q, (d, v)), [stiffness, damping, rest_length]) in force_densities.iter_mut().zip(states).zip(laws) {
                 let law = Law { stiffness, damping, rest_length };
-                let (density, has_direction) = force_density::<R, DAMPED>(law, d, v);
+                let (density, has_direction) = F::force_density(law, d, v);
                 *q = density;
                 degenerate += u32::from(!has_direction);
             }

@@ -1,6 +1,8 @@
 //! Steppers, one a file: they differ only where the mathematics does, and each owns what it needs to remember.
 
 mod auto;
+mod blanes_moan_s6;
+mod combination;
 mod euler;
 mod explicit_euler;
 mod implicit_euler;
@@ -13,6 +15,7 @@ mod velocity_verlet;
 mod verlet_stages;
 
 pub use auto::{Auto, Choice, Chosen};
+pub use blanes_moan_s6::BlanesMoanS6;
 pub use explicit_euler::ExplicitEuler;
 pub use implicit_euler::ImplicitEuler;
 pub use implicit_euler_linearised::ImplicitEulerLinearised;

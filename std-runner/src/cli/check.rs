@@ -113,7 +113,7 @@ fn steppers(model: &Model, settings: &Settings, start: &Start, bound: &Stability
             StepperName::DormandPrinceRkn8 if start.plan.damped != Coverage::None => {
                 ("none".to_owned(), "it is for scenes without damping".to_owned())
             }
-            StepperName::Rk4 | StepperName::Dop853 | StepperName::DormandPrinceRkn8 => {
+            StepperName::Rk4 | StepperName::BlanesMoanS6 | StepperName::Dop853 | StepperName::DormandPrinceRkn8 => {
                 (seconds(step), "from the highest frequency and the fastest damping of any particle".to_owned())
             }
             StepperName::ImplicitEuler | StepperName::ImplicitEulerLinearised => {

@@ -80,6 +80,8 @@ choice! {
         VelocityVerlet = "velocity-verlet",
         /// The classical Runge-Kutta method: fourth order, four force evaluations a step.
         Rk4 = "rk4",
+        /// Drifts and kicks by turns: fourth order, six force evaluations a step, and keeps energy bounded.
+        BlanesMoanS6 = "blanes-moan-s6",
         /// Runge-Kutta of eighth order, twelve force evaluations a step: for errors below a millionth.
         Dop853 = "dop853",
         /// Runge-Kutta-Nyström of eighth order, eight force evaluations a step, for scenes without damping.

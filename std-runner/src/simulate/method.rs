@@ -1,9 +1,9 @@
 //! The stepper and the response that a scene names.
 
 use hooke::{
-    Auto, Choice, Chosen, Dop853, DormandPrinceRkn8, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised,
-    ImplicitMidpoint, LinearSolver, Observer, Plan, Project, Real, Reflect, Response, Rk4, SemiImplicitEuler,
-    StepError, StepReport, Stepper, TimeOfImpact, TrBdf2, VelocityVerlet, View,
+    Auto, BlanesMoanS6, Choice, Chosen, Dop853, DormandPrinceRkn8, ExplicitEuler, Full, ImplicitEuler,
+    ImplicitEulerLinearised, ImplicitMidpoint, LinearSolver, Observer, Plan, Project, Real, Reflect, Response, Rk4,
+    SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, TrBdf2, VelocityVerlet, View,
 };
 
 use super::heap::Heap;
@@ -30,6 +30,8 @@ pub enum AnyStepper<R: Real> {
     VelocityVerlet(VelocityVerlet<R, Heap>),
     /// `rk4`
     Rk4(Rk4<R, Heap>),
+    /// `blanes-moan-s6`
+    BlanesMoanS6(BlanesMoanS6<R, Heap>),
     /// `dop853`
     Dop853(Dop853<R, Heap>),
     /// `dormand-prince-rkn8`
@@ -53,6 +55,7 @@ impl<R: Real> AnyStepper<R> {
             StepperName::TrBdf2 => Self::TrBdf2(TrBdf2::new(tolerance)),
             StepperName::VelocityVerlet => Self::VelocityVerlet(VelocityVerlet::new()),
             StepperName::Rk4 => Self::Rk4(Rk4::new()),
+            StepperName::BlanesMoanS6 => Self::BlanesMoanS6(BlanesMoanS6::new()),
             StepperName::Dop853 => Self::Dop853(Dop853::new()),
             StepperName::DormandPrinceRkn8 => Self::DormandPrinceRkn8(DormandPrinceRkn8::new()),
             StepperName::Auto => Self::Auto(Auto::new(tolerance)),
@@ -103,6 +106,7 @@ macro_rules! each {
             AnyStepper::TrBdf2($stepper) => $call,
             AnyStepper::VelocityVerlet($stepper) => $call,
             AnyStepper::Rk4($stepper) => $call,
+            AnyStepper::BlanesMoanS6($stepper) => $call,
             AnyStepper::Dop853($stepper) => $call,
             AnyStepper::DormandPrinceRkn8($stepper) => $call,
             AnyStepper::Auto($stepper) => $call,

@@ -44,6 +44,7 @@ pub fn largest_stable_step(stepper: StepperName, bound: &StabilityBound) -> f64 
         StepperName::SemiImplicitEuler => bound.semi_implicit_euler,
         StepperName::VelocityVerlet => bound.velocity_verlet,
         StepperName::Rk4 => bound.rk4(),
+        StepperName::BlanesMoanS6 => bound.blanes_moan_s6(),
         StepperName::Dop853 => bound.dop853(),
         StepperName::DormandPrinceRkn8 => bound.dormand_prince_rkn8(),
         StepperName::ImplicitEuler

@@ -1,6 +1,5 @@
 //! Explicit Runge-Kutta methods: one loop over stages for all of them.
 
-mod combination;
 mod dop853;
 mod dormand_prince_rkn8;
 mod rk4;
@@ -18,7 +17,7 @@ use crate::types::{Full, StepError, StepReport};
 use crate::vectors::{Columns, lend, read};
 use crate::world::{Column, Coverage, Plan, State, StateColumns, Storage, View};
 
-use combination::{Combination, Terms};
+use super::combination::{Combination, Terms};
 use tableau::Tableau;
 
 /// An explicit Runge-Kutta method with the coefficients of `T`.
