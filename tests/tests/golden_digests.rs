@@ -47,7 +47,7 @@ const SINGLE_LOCATED: [u64; 11] = [
     0x414a_c0f5_671d_ed93,
     0x117b_63e3_8001_f9a0,
     0x9800_2b9e_e383_4118,
-    0xab98_ca7c_fd6f_462d,
+    0x457a_e193_6c5d_0914,
     0xf1fd_f7d5_d36b_a702,
     0x0504_24c9_b2a0_85c9,
 ];
@@ -60,7 +60,7 @@ const DOUBLE_LOCATED: [u64; 11] = [
     0x66c4_dde5_d0c4_d04e,
     0xe8e8_405b_7169_571a,
     0x692e_5b67_276a_f78c,
-    0x8a8f_58bf_80e3_8b69,
+    0x319f_d953_6cd2_f440,
     0xe26c_8c11_17ad_08ac,
     0xa1f4_b235_634a_269d,
 ];

@@ -223,18 +223,18 @@ fn keep_tile_lying<R: Real>(
             Flight { position: fetch(read(&next.position), slot), velocity: fetch(read(&next.velocity), slot) };
         let pull = pull(system, read(&next.position), read(&next.velocity), slot);
         let a = along(system.gravity, at(system.inverse_mass, slot), pull);
-        if dot(plane.normal, support(system.planes, position, velocity, a).allow(a)) > rounding(size(a)) {
-            // It is on its way off the plane, however slowly.
-            continue;
-        }
+        // On its way off the plane, however slowly.
+        let leaves = dot(plane.normal, support(system.planes, position, velocity, a).allow(a)) > rounding(size(a));
         if plane.gap(after.position) < -touching(plane, after.position) {
             // It began to be pressed against it within the step, while an implicit stepper held up only what was at the
-            // start.
+            // start; or it began to be pulled off it, while a kick of a splitting went back in time.
             after.position = along(after.position, -plane.gap(after.position), plane.normal);
             after.velocity =
                 along(after.velocity, (-dot(plane.normal, after.velocity)).at_least(R::ZERO), plane.normal);
         }
-        after.keep_on(plane, velocity);
+        if !leaves {
+            after.keep_on(plane, velocity);
+        }
         store(&mut next.position, slot, after.position);
         store(&mut next.velocity, slot, after.velocity);
     }

@@ -55,7 +55,8 @@ impl<R: Real> System<'_, R> {
     }
 
     /// M⁻¹ C u: what damping alone makes of any vectors u of all particles in place of their velocities, and what follows.
-    /// It is half to two thirds of the work of all forces. Returns whether all of that is finite.
+    /// Where u lies along a plane that the particle is on, so does that. It is half to two thirds of the work of all forces.
+    /// Returns whether all of that is finite.
     pub(crate) fn damping_then(
         &self,
         position: Columns<'_, R>,
@@ -63,7 +64,7 @@ impl<R: Real> System<'_, R> {
         out: ColumnsMut<'_, R>,
         then: impl Then<R>,
     ) -> bool {
-        let system = Self { gravity: [R::ZERO; 3], support: false, ..*self };
+        let system = Self { gravity: [R::ZERO; 3], ..*self };
         system.go_through(position, vectors, out, then, Damping).finite
     }
 
