@@ -73,28 +73,28 @@ pub fn run<K: Kernel>(most: Lanes, kernel: K) -> K::Output {
     kernel.run(Whole)
 }
 
-/// A loop that writes to six columns. They are arguments of a function that is compiled by itself, because only of those
+/// A loop that writes to six columns, three and three of a kind. They are arguments of a function that is compiled by itself, because only of those
 /// does the compiler know that nothing else overlaps them: else it tests that before each loop, with more instructions
 /// than a short loop has.
-pub trait SixColumns<R> {
+pub trait SixColumns<R, S = R> {
     /// What it returns.
     type Output;
     /// Its body: to be marked `#[inline(always)]`, as all that it calls.
-    fn run(self, a: &mut [R], b: &mut [R], c: &mut [R], d: &mut [R], e: &mut [R], f: &mut [R]) -> Self::Output;
+    fn run(self, a: &mut [R], b: &mut [R], c: &mut [R], d: &mut [S], e: &mut [S], f: &mut [S]) -> Self::Output;
 }
 
 /// Runs a loop on six columns on the widest lanes that there are, up to `most`.
 #[allow(clippy::too_many_arguments, reason = "an array of them would hide that they do not overlap")]
 #[inline(always)]
-pub fn run_on_six<R, K: SixColumns<R>>(
+pub fn run_on_six<R, S, K: SixColumns<R, S>>(
     most: Lanes,
     kernel: K,
     a: &mut [R],
     b: &mut [R],
     c: &mut [R],
-    d: &mut [R],
-    e: &mut [R],
-    f: &mut [R],
+    d: &mut [S],
+    e: &mut [S],
+    f: &mut [S],
 ) -> K::Output {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     match most.min(Lanes::widest()) {
@@ -112,14 +112,14 @@ pub fn run_on_six<R, K: SixColumns<R>>(
 macro_rules! on_six {
     ($name:ident, $(#[$attribute:meta])*) => {
         $(#[$attribute])*
-        fn $name<R, K: SixColumns<R>>(
+        fn $name<R, S, K: SixColumns<R, S>>(
             kernel: K,
             a: &mut [R],
             b: &mut [R],
             c: &mut [R],
-            d: &mut [R],
-            e: &mut [R],
-            f: &mut [R],
+            d: &mut [S],
+            e: &mut [S],
+            f: &mut [S],
         ) -> K::Output {
             kernel.run(a, b, c, d, e, f)
         }

@@ -62,7 +62,9 @@
 //! On WebAssembly, build with `-C target-feature=+simd128`: without it roots are `f32.sqrt` too, one at a time.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+mod carried;
 mod collisions;
+mod compensated;
 mod contact;
 mod forces;
 mod lanes;
@@ -85,6 +87,7 @@ mod workers;
 mod world;
 
 pub use collisions::{Project, Reflect, TimeOfImpact};
+pub use compensated::Compensated;
 pub use lanes::Lanes;
 pub use ledger::{Balance, Ledger};
 pub use real::Real;

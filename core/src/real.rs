@@ -1,4 +1,4 @@
-//! The real numbers: `f32` and `f64` behind one short trait.
+//! The real numbers: `f32`, `f64`, and `f32` with its rounding residual kept, behind one short trait.
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -9,9 +9,10 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
+    impl Sealed for crate::Compensated {}
 }
 
-/// A floating-point number that a world can be made of: `f32` or `f64`.
+/// A floating-point number that a world can be made of: `f32`, `f64` or [`crate::Compensated`].
 ///
 /// Every operation is the correctly rounded one of IEEE 754, so a step gives the same bits on every machine.
 /// There is no fused multiply-add here on purpose: it rounds once where others round twice.
@@ -34,8 +35,17 @@ pub trait Real:
     + Sync
     + 'static
 {
-    /// `glam`'s vector of three of these: the type of positions and velocities at the surface.
-    type Vec3: Copy + Debug + PartialEq + From<[Self; 3]> + Into<[Self; 3]>;
+    /// The number that positions and velocities are told in at the surface.
+    type Coordinate: Real;
+    /// `glam`'s vector of three of those: the type of positions and velocities at the surface.
+    type Vec3: Copy + Debug + PartialEq + From<[Self::Coordinate; 3]> + Into<[Self::Coordinate; 3]>;
+    /// What a number that is carried from step to step keeps of what it has lost in rounding: nothing but in
+    /// [`crate::Compensated`].
+    type Residual: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
+    /// Whether there is any.
+    const IS_COMPENSATED: bool;
+    /// Where nothing has been lost.
+    const NO_RESIDUAL: Self::Residual;
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -57,6 +67,16 @@ pub trait Real:
     fn from_f64(value: f64) -> Self;
     /// The same number as an `f64`; exact.
     fn to_f64(self) -> f64;
+    /// The number that a coordinate is carried as, and what that leaves of it.
+    fn carry(coordinate: Self::Coordinate) -> (Self, Self::Residual);
+    /// The coordinate that is carried so.
+    fn told(self, residual: Self::Residual) -> Self::Coordinate;
+    /// A difference of two carried numbers, given that of the numbers themselves.
+    #[must_use]
+    fn corrected(self, minuend: Self::Residual, subtrahend: Self::Residual) -> Self;
+    /// The sum of a carried number and an increment, carried.
+    #[must_use]
+    fn plus(self, residual: Self::Residual, increment: Self) -> (Self, Self::Residual);
 
     /// The larger of two numbers; `self` if `other` is NaN.
     #[must_use]
@@ -74,7 +94,11 @@ pub trait Real:
 macro_rules! real {
     ($type:ident, $vector:ty, $square_root:path) => {
         impl Real for $type {
+            type Coordinate = Self;
             type Vec3 = $vector;
+            type Residual = ();
+            const IS_COMPENSATED: bool = false;
+            const NO_RESIDUAL: () = ();
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const EPSILON: Self = $type::EPSILON;
@@ -99,6 +123,22 @@ macro_rules! real {
             #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+            #[inline(always)]
+            fn carry(coordinate: Self) -> (Self, ()) {
+                (coordinate, ())
+            }
+            #[inline(always)]
+            fn told(self, _residual: ()) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn corrected(self, _minuend: (), _subtrahend: ()) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn plus(self, _residual: (), increment: Self) -> (Self, ()) {
+                (self + increment, ())
             }
         }
     };

@@ -3,8 +3,8 @@
 use crate::Real;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{StepError, StepReport};
-use crate::vectors::{at, fetch, read};
-use crate::world::{Clock, Container, Storage, View};
+use crate::vectors::at;
+use crate::world::{Clock, Container, Storage, View, told};
 
 impl<R: Real> View<'_, R> {
     /// The particles that no spring pulls at as they will be at a later `time` (s), before the end of the next step,
@@ -19,12 +19,10 @@ impl<R: Real> View<'_, R> {
             return None;
         }
         let plan = self.system.plan.awake();
-        let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
+        let (position, velocity) = (self.next.carried_position(), self.next.carried_velocity());
         let slots = plan.attached..plan.particles;
         let system = self.system;
-        Some(slots.map(move |slot| {
-            (at(system.particle_at, slot), fetch(position, slot).into(), fetch(velocity, slot).into())
-        }))
+        Some(slots.map(move |slot| (at(system.particle_at, slot), told(position, slot), told(velocity, slot))))
     }
 
     /// Takes one step of `dt` seconds.
@@ -56,7 +54,8 @@ impl<R: Real> View<'_, R> {
     }
 
     /// Takes one step of `dt` seconds that ends at the time `end` (s), which `dt` is the length up to, but for its
-    /// rounding to this precision: the thousandth step of 1e-3 s ends at 1 s, whatever 1e-3 rounds to.
+    /// rounding to this precision: the thousandth step of 1e-3 s ends at 1 s, whatever 1e-3 rounds to. In
+    /// [`crate::Compensated`] steps differ by a rounding, so that they add up to it.
     ///
     /// # Errors
     /// Like [`View::step`]; `end` must be finite and later than the current time.
@@ -71,7 +70,15 @@ impl<R: Real> View<'_, R> {
         if !(end > self.time() && end.is_finite()) {
             return Err(StepError::TimeStep);
         }
-        self.take(stepper, response, dt, Clock::at(end), observer)
+        let mut clock = Clock::at(end);
+        let mut dt = dt;
+        if R::IS_COMPENSATED {
+            // The roundings of steps would add up to what they are there not to.
+            let rest = end - self.time() + self.clock.owed;
+            dt = R::from_f64(rest);
+            clock.owed = rest - dt.to_f64();
+        }
+        self.take(stepper, response, dt, clock, observer)
     }
 
     fn take(

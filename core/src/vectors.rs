@@ -43,22 +43,27 @@ pub fn put<T>(items: &mut [T], index: u32, value: T) {
 
 /// The vector of particle `index`.
 #[inline(always)]
-pub fn fetch<R: Real>(columns: Columns<'_, R>, index: u32) -> [R; 3] {
+pub fn fetch<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
     let ([x, y, z], index) = (columns, index as usize);
     // One way out for all three: a branch that is never taken, where three defaults would each be selected.
     let (Some(x), Some(y), Some(z)) = (x.get(index), y.get(index), z.get(index)) else {
-        return [R::ZERO; 3];
+        return [T::default(); 3];
     };
     [*x, *y, *z]
 }
 
 /// Sets the vector of particle `index`.
 #[inline(always)]
-pub fn store<R: Real>([x, y, z]: &mut ColumnsMut<'_, R>, index: u32, vector: [R; 3]) {
+pub fn store<T>([x, y, z]: &mut ColumnsMut<'_, T>, index: u32, vector: [T; 3]) {
     let index = index as usize;
     if let (Some(x), Some(y), Some(z)) = (x.get_mut(index), y.get_mut(index), z.get_mut(index)) {
         [*x, *y, *z] = vector;
     }
+}
+
+/// A vector of the surface as numbers to compute with.
+pub fn rounded<R: Real>(vector: R::Vec3) -> [R; 3] {
+    vector.into().map(|coordinate| R::carry(coordinate).0)
 }
 
 /// a·b
@@ -126,7 +131,7 @@ pub fn advance_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>, s: R,
 
 /// out = a, over whole columns.
 #[inline]
-pub fn copy_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>) {
+pub fn copy_columns<T: Copy>(out: ColumnsMut<'_, T>, a: Columns<'_, T>) {
     for (out, a) in out.into_iter().zip(a) {
         for (out, a) in out.iter_mut().zip(a) {
             *out = *a;
@@ -175,18 +180,18 @@ pub fn split<R>([x, y, z]: ColumnsMut<'_, R>, index: u32) -> (ColumnsMut<'_, R>,
 
 /// The vectors of three columns.
 #[inline(always)]
-pub fn triples<'a, R: Real>([x, y, z]: Columns<'a, R>) -> impl Iterator<Item = [R; 3]> + Clone + 'a {
+pub fn triples<'a, T: Copy>([x, y, z]: Columns<'a, T>) -> impl Iterator<Item = [T; 3]> + Clone + 'a {
     x.iter().zip(y).zip(z).map(|((x, y), z)| [*x, *y, *z])
 }
 
 /// Sets a vector in written columns.
 #[inline(always)]
-pub fn set<R: Real>([x, y, z]: [&mut R; 3], vector: [R; 3]) {
+pub fn set<T>([x, y, z]: [&mut T; 3], vector: [T; 3]) {
     [*x, *y, *z] = vector;
 }
 
 /// The vectors of three written columns.
 #[inline(always)]
-pub fn triples_mut<'a, R: Real>([x, y, z]: ColumnsMut<'a, R>) -> impl Iterator<Item = [&'a mut R; 3]> {
+pub fn triples_mut<'a, T>([x, y, z]: ColumnsMut<'a, T>) -> impl Iterator<Item = [&'a mut T; 3]> {
     x.iter_mut().zip(y).zip(z).map(|((x, y), z)| [x, y, z])
 }

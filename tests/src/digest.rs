@@ -8,7 +8,7 @@ use hooke::{Real, View};
 #[must_use]
 pub fn of<R: Real>(view: &View<'_, R>) -> u64 {
     view.states().fold(0xcbf2_9ce4_8422_2325, |digest, (position, velocity)| {
-        let [x, v]: [[R; 3]; 2] = [position.into(), velocity.into()];
+        let [x, v]: [[R::Coordinate; 3]; 2] = [position.into(), velocity.into()];
         let bytes = x.into_iter().chain(v).flat_map(|component| component.to_f64().to_bits().to_le_bytes());
         bytes.fold(digest, |digest, byte| (digest ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
     })

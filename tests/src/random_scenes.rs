@@ -70,7 +70,7 @@ impl RandomScene {
     /// There is no room for it.
     #[must_use]
     pub fn world<R: Real, M: Storage>(&self) -> Container<R, M> {
-        let vector = |vector: [f64; 3]| -> R::Vec3 { vector.map(R::from_f64).into() };
+        let vector = |vector: [f64; 3]| -> R::Vec3 { vector.map(R::Coordinate::from_f64).into() };
         let mut world = Container::<R, M>::new();
         for &(position, velocity, mass, hold) in &self.particles {
             let (position, velocity) = (vector(position), vector(velocity));

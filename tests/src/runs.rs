@@ -65,8 +65,8 @@ impl<R: Real> Run<R> {
     pub fn moment(&mut self) -> Moment {
         let view = self.world.view();
         view.states().fold(Moment::default(), |moment, (position, velocity)| {
-            let [x, v]: [[R; 3]; 2] = [position.into(), velocity.into()];
-            moment.with(x.map(R::to_f64), v.map(R::to_f64))
+            let [x, v]: [[R::Coordinate; 3]; 2] = [position.into(), velocity.into()];
+            moment.with(x.map(Real::to_f64), v.map(Real::to_f64))
         })
     }
 }

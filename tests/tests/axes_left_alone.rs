@@ -51,7 +51,7 @@ fn pushed<R: Real>(accuracy: f64) {
     let mut run = run::<R>(&balls(BALLS));
     run.steps(7, FRAME);
     let before = states(&mut run);
-    let push = [0.75, 0.0, 0.0].map(R::from_f64);
+    let push = [0.75, 0.0, 0.0].map(R::Coordinate::from_f64);
     run.world.set_velocity(17, push).expect("a ball");
     run.steps(8, FRAME);
     for (number, ((position, _), (began, _))) in states(&mut run).iter().zip(&before).enumerate() {

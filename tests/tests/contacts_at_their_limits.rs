@@ -22,8 +22,8 @@ fn auto<R: Real>() -> Auto<R, Room> {
     Auto::new(1e-9)
 }
 
-fn vector<R: Real>(vector: [f64; 3]) -> [R; 3] {
-    vector.map(R::from_f64)
+fn vector<R: Real>(vector: [f64; 3]) -> [R::Coordinate; 3] {
+    vector.map(R::Coordinate::from_f64)
 }
 
 fn fall<R: Real>() -> Large<R> {
@@ -162,7 +162,7 @@ fn what_slides_does_not_bounce() {
         world.add_plane(plane([0.0; 3], [sine, 0.0, cosine], restitution)).unwrap();
         let report = run(&mut world, &mut stepper, 1e-3, 50_000);
         assert_eq!(report.hits, 0);
-        let [x, _, z]: [R; 3] = world.position(ball).unwrap().into();
+        let [x, _, z]: [R::Coordinate; 3] = world.position(ball).unwrap().into();
         let (x, z) = (x.to_f64(), z.to_f64());
         let gap = x * sine + z * cosine;
         assert!(gap.abs() <= 4.0 * R::EPSILON.to_f64() * (x.abs() + z.abs()), "{gap}");

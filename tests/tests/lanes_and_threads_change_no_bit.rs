@@ -4,7 +4,7 @@
 //! A set that the machine does not have is stepped with the widest that it has.
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use hooke::{Lanes, Real};
+use hooke::{Compensated, Lanes, Real};
 use hooke_benches::mesh::irregular;
 use hooke_runner::model::Model;
 use hooke_runner::scene::{CollisionForm, StepperName};
@@ -58,6 +58,11 @@ fn compare<R: Real>(model: &Model) {
 #[test]
 fn in_single_precision() {
     compare::<f32>(&varied());
+}
+
+#[test]
+fn in_compensated_precision() {
+    compare::<Compensated>(&varied());
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Small random scenes, in every way there is to step them: what must hold whatever is in a scene.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
-use hooke::{Container, Fixed, Hold, Ledger, Observer, Plane, Real, StepError, StepReport, Storage};
+use hooke::{Compensated, Container, Fixed, Hold, Ledger, Observer, Plane, Real, StepError, StepReport, Storage};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_runner::simulate::{AnyResponse, AnyStepper, Heap};
 use hooke_tests::digest;
@@ -57,6 +57,7 @@ fn the_same_bits_with_a_ledger_and_in_any_container_and_nothing_beyond_a_plane()
         for (stepper, form) in ways() {
             follow::<f64>(seed, &scene, stepper, form);
             follow::<f32>(seed, &scene, stepper, form);
+            follow::<Compensated>(seed, &scene, stepper, form);
         }
     }
 }
@@ -96,12 +97,14 @@ fn nothing_is_beyond<R: Real, M: Storage>(
     let dip = if implicit { scene.size * dt * dt } else { 0.0 };
     let view = run.world.view();
     for ((position, velocity), particle) in view.states().zip(&scene.particles) {
-        let [x, v]: [[R; 3]; 2] = [position.into(), velocity.into()];
-        let size = |vector: [R; 3]| vector.iter().map(|component| component.to_f64().abs()).sum::<f64>();
+        let [x, v]: [[R::Coordinate; 3]; 2] = [position.into(), velocity.into()];
+        let size = |vector: [R::Coordinate; 3]| vector.iter().map(|component| component.to_f64().abs()).sum::<f64>();
         assert!((size(x) + size(v)).is_finite(), "{what}");
         for &(point, normal, _) in scene.planes.iter().filter(|_| particle.3 == Hold::Free) {
-            let plane = Plane::<R>::through(point.map(R::from_f64), normal.map(R::from_f64), R::ONE).unwrap();
-            let normal: [R; 3] = plane.normal().into();
+            let plane =
+                Plane::<R>::through(point.map(R::Coordinate::from_f64), normal.map(R::Coordinate::from_f64), R::ONE)
+                    .unwrap();
+            let normal: [R::Coordinate; 3] = plane.normal().into();
             let height: f64 = normal.iter().zip(x).map(|(n, x)| n.to_f64() * x.to_f64()).sum();
             let gap = height - plane.offset().to_f64();
             let numbers = size(x) + plane.offset().to_f64().abs() + dt * size(v);

@@ -20,14 +20,14 @@ fn soon<R: Real>() -> Sleep<R> {
 }
 
 fn particle<R: Real>(position: [f64; 3], velocity: [f64; 3]) -> Particle<R> {
-    let vector = |vector: [f64; 3]| vector.map(R::from_f64);
+    let vector = |vector: [f64; 3]| vector.map(R::Coordinate::from_f64);
     Particle::at(vector(position)).with_velocity(vector(velocity)).with_mass(R::from_f64(MASS))
 }
 
 /// A world without anything but gravity.
 fn empty<R: Real>() -> HeapWorld<R> {
     let mut world = HeapWorld::new();
-    world.set_gravity(GRAVITY.map(R::from_f64)).unwrap();
+    world.set_gravity(GRAVITY.map(R::Coordinate::from_f64)).unwrap();
     world
 }
 
@@ -48,7 +48,7 @@ fn hang<R: Real>(world: &mut HeapWorld<R>, from: [f64; 3], links: u32, velocity:
 
 fn bits<R: Real>(world: &HeapWorld<R>, particles: &[u32]) -> Vec<u64> {
     let states = particles.iter().flat_map(|particle| {
-        let [x, v]: [[R; 3]; 2] =
+        let [x, v]: [[R::Coordinate; 3]; 2] =
             [world.position(*particle).unwrap().into(), world.velocity(*particle).unwrap().into()];
         x.into_iter().chain(v)
     });
@@ -69,7 +69,9 @@ fn scene<R: Real>(among: bool, swing: f64) -> (HeapWorld<R>, Vec<u32>) {
             hang(&mut world, from, 3 + rope % 9, [0.0; 3]);
         }
     }
-    let floor = Plane::through([R::ZERO; 3], GRAVITY.map(|g| R::from_f64(-g)), R::from_f64(0.7)).unwrap();
+    let floor =
+        Plane::through([R::Coordinate::ZERO; 3], GRAVITY.map(|g| R::Coordinate::from_f64(-g)), R::from_f64(0.7))
+            .unwrap();
     world.add_plane(floor).unwrap();
     (world, moving)
 }

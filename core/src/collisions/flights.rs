@@ -7,7 +7,6 @@ use super::events::Events;
 use super::extent::Extent;
 use super::pass::{Pass, settle};
 use crate::types::{Full, StepReport};
-use crate::vectors::{lend, split};
 use crate::world::{Column, Plan, State, Storage, View};
 use crate::{Real, lanes};
 
@@ -125,11 +124,9 @@ impl<R: Real, M: Storage> Flights<R, M> {
     fn write(&mut self, view: &mut View<'_, R>, time: f64) -> f64 {
         self.latest = time;
         let system = &view.system;
-        let State { position, velocity } = &mut view.next;
-        let mut next = State {
-            position: split(lend(position), system.plan.attached).1,
-            velocity: split(lend(velocity), system.plan.attached).1,
-        };
+        let [(_, position), (_, velocity)] =
+            view.next.lend().apart().map(|columns| columns.split(system.plan.attached));
+        let mut next = State::of([position, velocity]);
         // What is passed is looked at again right away, while it is in the caches.
         if self.first_slot.replace(system.plan.attached) != Some(system.plan.attached) {
             // Others have written the current state alone, or islands have fallen asleep: who was in whose slot has
@@ -143,8 +140,7 @@ impl<R: Real, M: Storage> Flights<R, M> {
             let block = particles.end / BLOCK as u32;
             let passed = lanes::run(system.lanes, Pass { system, time, events: self.events(), block, due: &mut due });
             particles = particles.end..passed.block.saturating_mul(BLOCK as u32).min(system.plan.free());
-            let next = State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) };
-            coast(system, &self.events(), particles.clone(), time, axes, next);
+            coast(system, &self.events(), particles.clone(), time, axes, next.lend());
             self.lost += passed.lost;
             let [hits, capped] = &mut self.unreported;
             *hits = hits.saturating_add(passed.hits);

@@ -68,8 +68,7 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
         view.system.support = view.system.plan.planes > 0;
-        let (position, velocity) = self.start.lend();
-        let mut start = Start { state: State { position, velocity }, clock: None };
+        let mut start = Start { state: self.start.lend(), clock: None };
         let mut stepped = step(view, stepper, dt, observer, &mut start);
         if let Err(StepError::NonFinite { .. }) = stepped {
             // The first by number may be one in free flight, which had not had its turn.
@@ -83,7 +82,7 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
 }
 
 /// The state before the first cut.
-struct Start<'a, R> {
+struct Start<'a, R: Real> {
     state: State<'a, R>,
     /// Its time; nothing before the first cut.
     clock: Option<Clock>,
@@ -168,6 +167,7 @@ fn step<R: Real>(
         Some(lost) => lost,
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
+    view.next.copy_residuals_from(view.system.plan.attached, &view.current);
     // What springs pull at has been looked at, and exact flight has seen to that itself.
     if !core::mem::take(&mut view.is_next_finite) {
         view.refuse_non_finite_from(view.system.plan.attached)?;

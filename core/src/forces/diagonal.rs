@@ -6,6 +6,7 @@ use core::ops::Range;
 use super::law::{Elastic, Tension};
 use super::tiles::Forces;
 use crate::Real;
+use crate::carried::{Carried, corrected};
 use crate::lanes::{self, SixColumns};
 use crate::vectors::{Columns, cut, cut_mut, difference, lend, scaled, triples, triples_mut};
 use crate::world::{Law, Piece, Springs, TILE};
@@ -72,7 +73,7 @@ fn pull<R: Real, F: Tension>(
     } else {
         cut_mut(lend(&mut forces.nowhere), from(0))?
     };
-    let position = [cut(forces.position, lower.clone())?, cut(forces.position, upper.clone())?];
+    let position = [forces.position.cut(lower.clone())?, forces.position.cut(upper.clone())?];
     let velocity = [cut(forces.velocity, lower)?, cut(forces.velocity, upper)?];
     let places = Places::<R, _, F> { laws: laws.clone(), position, velocity, tension: PhantomData };
     let undirected = lanes::run_on_six(forces.lanes, places, above_x, above_y, above_z, below_x, below_y, below_z);
@@ -81,19 +82,26 @@ fn pull<R: Real, F: Tension>(
 
 /// Of the places without a direction, those with a spring.
 #[cold]
-fn count_degenerate<R: Real>(laws: impl Iterator<Item = (Law<R>, bool)>, [x_i, x_j]: [Columns<'_, R>; 2]) -> u32 {
-    let places = triples(x_i).zip(triples(x_j)).zip(laws);
-    let degenerate = places.filter(|((x_i, x_j), (law, is_there))| {
-        *is_there && !Elastic::force_density(*law, difference(*x_j, *x_i), [R::ZERO; 3]).1
-    });
+fn count_degenerate<R: Real>(laws: impl Iterator<Item = (Law<R>, bool)>, position: [Carried<'_, R>; 2]) -> u32 {
+    let places = differences(position).zip(laws);
+    let degenerate =
+        places.filter(|(d, (law, is_there))| *is_there && !Elastic::force_density(*law, *d, [R::ZERO; 3]).1);
     degenerate.count() as u32
 }
 
+/// d = x_j − x_i
+#[inline(always)]
+fn differences<'a, R: Real>([x_i, x_j]: [Carried<'a, R>; 2]) -> impl Iterator<Item = [R; 3]> + 'a {
+    let values = triples(x_i.value).zip(triples(x_j.value));
+    let residuals = triples(x_i.residual).zip(triples(x_j.residual));
+    values.zip(residuals).map(|((x_i, x_j), (r_i, r_j))| corrected(difference(x_j, x_i), r_j, r_i))
+}
+
 /// The places of a piece, each with or without a spring.
-struct Places<'a, R, I, F> {
+struct Places<'a, R: Real, I, F> {
     laws: I,
     /// m, of the lower and the upper ends.
-    position: [Columns<'a, R>; 2],
+    position: [Carried<'a, R>; 2],
     /// m/s
     velocity: [Columns<'a, R>; 2],
     tension: PhantomData<F>,
@@ -114,12 +122,11 @@ impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, F: Tension> SixColumns<R> for 
         below_y: &mut [R],
         below_z: &mut [R],
     ) -> u32 {
-        let ([x_i, x_j], [v_i, v_j]) = (self.position, self.velocity);
-        let states = triples(x_i).zip(triples(x_j)).zip(triples(v_i).zip(triples(v_j)));
+        let [v_i, v_j] = self.velocity;
+        let states = differences(self.position).zip(triples(v_i).zip(triples(v_j)));
         let forces = triples_mut([above_x, above_y, above_z]).zip(triples_mut([below_x, below_y, below_z]));
         let mut undirected = 0;
-        for ((((x_i, x_j), (v_i, v_j)), (law, is_there)), (above, below)) in states.zip(self.laws).zip(forces) {
-            let d = difference(x_j, x_i);
+        for (((d, (v_i, v_j)), (law, is_there)), (above, below)) in states.zip(self.laws).zip(forces) {
             let (q, has_direction) = F::force_density(law, d, difference(v_j, v_i));
             let force = scaled(if is_there { q } else { R::ZERO }, d);
             for ((above, below), force) in above.into_iter().zip(below).zip(force) {

@@ -2,7 +2,7 @@
 
 use crate::Real;
 use crate::sums::sum;
-use crate::vectors::{ColumnsMut, at, difference, dot, fetch, read, scaled};
+use crate::vectors::{at, difference, dot, scaled};
 use crate::world::{Coverage, Incidence, State, System};
 
 /// Σ ½ m v² over the particles that are not held, J.
@@ -15,7 +15,7 @@ pub fn kinetic_of<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u
     if !system.is_dynamic(slot) {
         return 0.0;
     }
-    let v = exactly(&state.velocity, slot);
+    let v = state.carried_velocity().exactly(slot);
     0.5 * at(system.mass, slot).to_f64() * dot(v, v)
 }
 
@@ -29,7 +29,7 @@ pub fn gravitational<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
         if !system.is_dynamic(slot) {
             return 0.0;
         }
-        -at(system.mass, slot).to_f64() * dot(g, exactly(&state.position, slot))
+        -at(system.mass, slot).to_f64() * dot(g, state.carried_position().exactly(slot))
     })
 }
 
@@ -64,7 +64,7 @@ pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
         return 0.0;
     }
     -sum(system.plan.attached, |slot| {
-        let v = exactly(&state.velocity, slot);
+        let v = state.carried_velocity().exactly(slot);
         if system.is_dynamic(slot) || v == [0.0; 3] {
             return 0.0;
         }
@@ -80,23 +80,18 @@ fn pull<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incide
     if length == 0.0 {
         return [0.0; 3];
     }
-    let d = difference(exactly(&state.position, neighbour), exactly(&state.position, slot));
+    let d = difference(state.carried_position().exactly(neighbour), state.carried_position().exactly(slot));
     let extension = length - at(system.springs.rest_length, spring).to_f64();
     let stiffness = at(system.springs.stiffness, spring).to_f64();
     let damping = at(system.springs.damping, spring).to_f64();
     scaled((stiffness * extension + damping * rate) / length, d)
 }
 
-/// The vector of a slot in `f64`.
-fn exactly<R: Real>(columns: &ColumnsMut<'_, R>, slot: u32) -> [f64; 3] {
-    fetch(read(columns), slot).map(Real::to_f64)
-}
-
 /// A spring's length, m, and how fast it grows, m/s.
 fn length_and_rate<R: Real>(system: &System<'_, R>, state: &State<'_, R>, spring: u32) -> (f64, f64) {
     let [i, j] = at(system.springs.ends, spring);
-    let d = difference(exactly(&state.position, j), exactly(&state.position, i));
-    let v = difference(exactly(&state.velocity, j), exactly(&state.velocity, i));
+    let d = difference(state.carried_position().exactly(j), state.carried_position().exactly(i));
+    let v = difference(state.carried_velocity().exactly(j), state.carried_velocity().exactly(i));
     let length = Real::sqrt(dot(d, d));
     (length, if length > 0.0 { dot(v, d) / length } else { 0.0 })
 }

@@ -13,6 +13,7 @@ mod tiles;
 mod window;
 
 use crate::Real;
+use crate::carried::Carried;
 use crate::shared::share;
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut};
@@ -29,7 +30,7 @@ impl<R: Real> System<'_, R> {
     /// a(x, v) of every particle, m/s²: gravity plus the spring forces over the mass; 0 where pinned or kinematic.
     pub(crate) fn accelerations(
         &self,
-        position: Columns<'_, R>,
+        position: Carried<'_, R>,
         velocity: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
         report: &mut StepReport,
@@ -40,7 +41,7 @@ impl<R: Real> System<'_, R> {
     /// The same, and what follows for each tile of particles while it is at hand. Returns whether all of that is finite.
     pub(crate) fn accelerations_then(
         &self,
-        position: Columns<'_, R>,
+        position: Carried<'_, R>,
         velocity: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
         report: &mut StepReport,
@@ -59,7 +60,7 @@ impl<R: Real> System<'_, R> {
     /// Returns whether all of that is finite.
     pub(crate) fn damping_then(
         &self,
-        position: Columns<'_, R>,
+        position: Carried<'_, R>,
         vectors: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
         then: impl Then<R>,
@@ -70,7 +71,7 @@ impl<R: Real> System<'_, R> {
 
     fn go_through(
         &self,
-        position: Columns<'_, R>,
+        position: Carried<'_, R>,
         velocity: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
         then: impl Then<R>,

@@ -27,7 +27,7 @@ fn add_batch<R: Real, F: Tension>(springs: &Springs<'_, R>, batch: Range<u32>, f
     let vectors = triples_mut(d.each_mut().map(<[R; BATCH]>::as_mut_slice))
         .zip(triples_mut(v.each_mut().map(<[R; BATCH]>::as_mut_slice)));
     for ((d, v), &[i, j]) in vectors.zip(ends) {
-        set(d, difference(fetch(forces.position, j), fetch(forces.position, i)));
+        set(d, forces.position.difference(j, i));
         if F::READS_VELOCITY {
             set(v, difference(fetch(forces.velocity, j), fetch(forces.velocity, i)));
         }

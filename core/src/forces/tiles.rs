@@ -9,6 +9,7 @@ use super::sweep::Sweep;
 use super::window::Window;
 use super::{diagonal, scattered};
 use crate::Real;
+use crate::carried::Carried;
 use crate::contact::hold_up;
 use crate::lanes::{self, Kernel, Lanes, Set};
 use crate::vectors::{Columns, ColumnsMut, at, cut, cut_mut, lend, read, window_mut};
@@ -39,9 +40,9 @@ impl<R: Real> Then<R> for Keep {
 }
 
 /// a(x, v) of the particles in `slots`, written to `out`, and what follows.
-pub struct Accelerations<'a, R, T, F> {
+pub struct Accelerations<'a, R: Real, T, F> {
     pub system: &'a System<'a, R>,
-    pub position: Columns<'a, R>,
+    pub position: Carried<'a, R>,
     pub velocity: Columns<'a, R>,
     /// Begins and ends with a tile, or with the particles.
     pub slots: Range<u32>,
@@ -128,7 +129,7 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
             let sums = Tile::of(system, tile.clone(), below, above, inverse_mass, Pulled)?;
             outcome.finite &= if system.support {
                 let mut held = sums.write();
-                hold_up(system, tile, position, velocity, lend(&mut held.below));
+                hold_up(system, tile, position.value, velocity, lend(&mut held.below));
                 then.then(held)
             } else {
                 then.then(sums)
@@ -171,7 +172,7 @@ impl<R: Real, F: Tension> Kernel for Pull<'_, '_, '_, R, F> {
         // With lengths that are known to be the same, a range is checked once for all columns.
         let particles = 0..system.plan.particles;
         let mut forces = Forces {
-            position: cut(forces.position, particles.clone())?,
+            position: forces.position.cut(particles.clone())?,
             velocity: cut(forces.velocity, particles)?,
             lanes: forces.lanes,
             start: forces.start,
@@ -249,8 +250,8 @@ fn add_tile<R: Real, F: Tension>(
 }
 
 /// The forces on the particles of a tile as they are being added.
-pub struct Forces<'a, R> {
-    pub position: Columns<'a, R>,
+pub struct Forces<'a, R: Real> {
+    pub position: Carried<'a, R>,
     pub velocity: Columns<'a, R>,
     pub lanes: Lanes,
     /// The tile's first slot.

@@ -8,6 +8,7 @@ use core::ops::Range;
 
 use super::law::Tension;
 use crate::Real;
+use crate::carried::Carried;
 use crate::lanes::{Rows, Set};
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, set, triples, triples_mut};
 use crate::world::{Law, Springs, TILE};
@@ -28,9 +29,11 @@ pub fn pays(scattered: u32) -> bool {
 
 /// What is kept, by slot modulo its size. Aligned, so that no vector lies across two lines of the cache.
 #[repr(C, align(64))]
-pub struct Window<R> {
+pub struct Window<R: Real> {
     /// Position and velocity, each with a place left over.
     states: [[R; 8]; HELD as usize],
+    /// Of positions, with a place left over.
+    residuals: [[R::Residual; 4]; HELD as usize],
     /// N, from springs to lower slots.
     below: [[R; 4]; HELD as usize],
     /// N, from springs to higher slots, of the tile at hand.
@@ -61,6 +64,7 @@ impl<R: Real> Window<R> {
     pub const fn new() -> Self {
         Self {
             states: [[R::ZERO; 8]; HELD as usize],
+            residuals: [[R::NO_RESIDUAL; 4]; HELD as usize],
             below: [[R::ZERO; 4]; HELD as usize],
             above: [[R::ZERO; 4]; TILE as usize],
             batch: Batch::ZERO,
@@ -80,7 +84,7 @@ impl<R: Real> Window<R> {
     pub fn keep(
         &mut self,
         slots: &Range<u32>,
-        position: Columns<'_, R>,
+        position: Carried<'_, R>,
         velocity: Columns<'_, R>,
         below: Columns<'_, R>,
         first: u32,
@@ -90,9 +94,15 @@ impl<R: Real> Window<R> {
         }
         while self.slots.end < slots.end {
             let next = self.slots.end..round_end(self.slots.end).min(slots.end);
-            let states = triples(cut(position, next.clone())?).zip(triples(cut(velocity, next.clone())?));
+            let states = triples(cut(position.value, next.clone())?).zip(triples(cut(velocity, next.clone())?));
             for (kept, ([x, y, z], [u, v, w])) in places(&mut self.states, &next)?.iter_mut().zip(states) {
                 *kept = [x, y, z, R::ZERO, u, v, w, R::ZERO];
+            }
+            if R::IS_COMPENSATED {
+                let residuals = triples(cut(position.residual, next.clone())?);
+                for (kept, [x, y, z]) in places(&mut self.residuals, &next)?.iter_mut().zip(residuals) {
+                    *kept = [x, y, z, R::NO_RESIDUAL];
+                }
             }
             let sums = triples(cut(below, next.start - first..next.end - first)?);
             for (kept, [x, y, z]) in places(&mut self.below, &next)?.iter_mut().zip(sums) {
@@ -120,6 +130,10 @@ impl<R: Real> Window<R> {
                 let (from, to) = (held(&self.states, *i), held(&self.states, *j));
                 for (d, (from, to)) in d.iter_mut().zip(from.into_iter().zip(to)) {
                     *d = to - from;
+                }
+                let (from, to) = (held(&self.residuals, *i), held(&self.residuals, *j));
+                for (d, (from, to)) in d.iter_mut().zip(from.into_iter().zip(to)) {
+                    *d = d.corrected(to, from);
                 }
             }
             for (eight, rows) in differences.iter().enumerate() {

@@ -66,6 +66,7 @@ pub fn newton<R: Real>(
             None => break,
         }
     }
+    view.next.forget_residuals();
     report.converged = tolerance.is_within_reach(&measured);
     report.residual = measured.relative();
     report

@@ -14,7 +14,7 @@ pub fn start<R: Real>(view: &mut View<'_, R>, dt: R, scratch: &mut Scratch<'_, R
     let (x, v) = (read(&current.position), read(&current.velocity));
     // What planes hold up is decided by what presses, before they push back.
     let unsupported = System { support: false, ..*system };
-    unsupported.accelerations(x, v, lend(&mut next.velocity), report);
+    unsupported.accelerations(current.carried_position(), v, lend(&mut next.velocity), report);
     for slot in 0..system.plan.particles {
         let (velocity, a) = (fetch(v, slot), fetch(read(&next.velocity), slot));
         if slot >= system.plan.attached {

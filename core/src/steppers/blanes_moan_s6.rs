@@ -2,11 +2,12 @@
 
 use super::combination::{Combination, Terms};
 use crate::Real;
+use crate::carried::Carried;
 use crate::forces::{Keep, Then};
 use crate::roles::Stepper;
 use crate::types::{Full, StepReport};
 use crate::vectors::{Columns, ColumnsMut, lend, read};
-use crate::world::{Column, Coverage, Plan, State, StateColumns, Storage, System, View};
+use crate::world::{Column, Coverage, Plan, StateColumns, Storage, System, View};
 
 /// The terms of the series that a damped kick is.
 const TERMS: usize = 4;
@@ -48,28 +49,27 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
 
     fn run(&mut self, view: &mut View<'_, R>, dt: R, report: &mut StepReport) {
         let View { system, current, next, .. } = view;
-        let (position, velocity) = self.spare.lend();
-        let mut spare = State { position, velocity };
-        let mut next = State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) };
+        let (mut spare, mut next) = (self.spare.lend(), next.lend());
         let mut terms = self.terms.each_mut().map(|columns| columns.each_mut().map(Column::items_mut));
         let count = terms_of(&system.plan);
-        let (x, v) = (read(&current.position), read(&current.velocity));
+        let (x, v) = (current.carried_position(), current.carried_velocity());
         let [first, drifts @ ..] = DRIFTS;
         let drift = Combination {
             terms: Terms { drift: R::from_f64(first) * dt, position: [R::ZERO; TERMS], velocity: None },
             is_step: false,
+            carries_velocity: false,
             lanes: system.lanes,
             state: (x, v),
             known: &[],
             first: 0,
-            to: State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) },
+            to: next.lend(),
         };
         // Nothing is multiplied by anything but 0.
-        drift.of_known(system.plan.particles, v);
+        drift.of_known(system.plan.particles, v.value);
         for (kick, (b, a)) in KICKS.into_iter().zip(drifts).enumerate() {
             let (from, to) = if kick % 2 == 0 { (&next, &mut spare) } else { (&spare, &mut next) };
-            let position = read(&from.position);
-            let velocity = if kick == 0 { v } else { read(&from.velocity) };
+            let position = from.carried_position();
+            let velocity = if kick == 0 { v } else { from.carried_velocity() };
             for term in 0..count {
                 let Some((earlier, [fresh, ..])) = terms.split_at_mut_checked(term) else { return };
                 let mut known = [Columns::<R>::default(); TERMS];
@@ -77,7 +77,7 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
                     *known = read(columns);
                 }
                 let known = known.get(..term).unwrap_or_default();
-                let vectors = known.last().copied().unwrap_or(velocity);
+                let vectors = known.last().copied().unwrap_or(velocity.value);
                 let (system, out) = (*system, lend(fresh));
                 if term + 1 < count {
                     evaluate(system, position, vectors, out, term, report, Keep);
@@ -86,11 +86,12 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
                 let kicked = Combination {
                     terms: kicked(b * dt.to_f64(), a * dt.to_f64(), count),
                     is_step: kick + 1 == KICKS.len(),
+                    carries_velocity: true,
                     lanes: system.lanes,
                     state: (position, velocity),
                     known,
                     first: 0,
-                    to: State { position: lend(&mut to.position), velocity: lend(&mut to.velocity) },
+                    to: to.lend(),
                 };
                 view.is_next_finite = evaluate(system, position, vectors, out, term, report, kicked);
             }
@@ -101,7 +102,7 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
 /// a, or what damping makes of the term before.
 fn evaluate<R: Real>(
     system: System<'_, R>,
-    position: Columns<'_, R>,
+    position: Carried<'_, R>,
     vectors: Columns<'_, R>,
     out: ColumnsMut<'_, R>,
     term: usize,

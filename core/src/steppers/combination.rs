@@ -3,9 +3,10 @@
 use core::ops::Range;
 
 use crate::Real;
+use crate::carried::Carried;
 use crate::forces::{Acceleration, Then, Tile};
 use crate::lanes::{self, Kernel, Lanes, Set};
-use crate::vectors::{Columns, cut, cut_mut, lend, read, split, window};
+use crate::vectors::{Columns, cut, lend, read, triples, window};
 use crate::world::{State, tiles};
 
 /// x + h v + Σ pⱼ Aⱼ and v + Σ qⱼ Aⱼ.
@@ -20,13 +21,15 @@ pub struct Terms<R, const STAGES: usize> {
 }
 
 /// Writes such a state, once the last of the accelerations is known.
-pub struct Combination<'a, R, const STAGES: usize> {
+pub struct Combination<'a, R: Real, const STAGES: usize> {
     pub terms: Terms<R, STAGES>,
     /// Whether it is to be finite: only of the step itself, as no sum gets finite again.
     pub is_step: bool,
+    /// Whether its velocity is carried on, with what rounding takes from it.
+    pub carries_velocity: bool,
     pub lanes: Lanes,
     /// x and v, of all slots.
-    pub state: (Columns<'a, R>, Columns<'a, R>),
+    pub state: (Carried<'a, R>, Carried<'a, R>),
     /// The accelerations before the last one, of all slots.
     pub known: &'a [Columns<'a, R>],
     /// The slot that what is written begins with.
@@ -45,20 +48,31 @@ impl<R: Real, const STAGES: usize> Combination<'_, R, STAGES> {
 
     /// Nothing if a column is too short.
     fn combine(&mut self, tile: Range<u32>, fresh: Columns<'_, R>) -> Option<bool> {
-        let (x, v) = (cut(self.state.0, tile.clone())?, cut(self.state.1, tile.clone())?);
+        let (x, v) = (self.state.0.cut(tile.clone())?, self.state.1.cut(tile.clone())?);
         let to = tile.start - self.first..tile.end - self.first;
-        let position = cut_mut(lend(&mut self.to.position), to.clone())?;
-        let velocity = cut_mut(lend(&mut self.to.velocity), to)?;
+        let [position, velocity] = self.to.lend().apart();
+        let (mut position, mut velocity) = (position.cut(to.clone())?, velocity.cut(to)?);
         let Terms { drift, position: p, velocity: q } = self.terms;
         let is_checked = self.is_step;
         let mut finite = true;
-        for (axis, ((to, x), v)) in position.into_iter().zip(x).zip(v).enumerate() {
+        for (axis, ((to, from), v)) in lend(&mut position.value).into_iter().zip(x.value).zip(v.value).enumerate() {
             let accelerations = accelerations(self.known, fresh, axis, &tile, p)?;
-            finite &= lanes::run(self.lanes, Sum { to, from: x, drift: Some((drift, v)), accelerations, is_checked });
+            finite &= lanes::run(
+                self.lanes,
+                Sum { to, from, drift: Some((drift, v)), accelerations, is_checked, is_carried: true },
+            );
         }
-        for (axis, ((to, v), q)) in velocity.into_iter().zip(v).zip(q.into_iter().cycle()).enumerate() {
+        for (axis, ((to, from), q)) in
+            lend(&mut velocity.value).into_iter().zip(v.value).zip(q.into_iter().cycle()).enumerate()
+        {
             let accelerations = accelerations(self.known, fresh, axis, &tile, q)?;
-            finite &= lanes::run(self.lanes, Sum { to, from: v, drift: None, accelerations, is_checked });
+            let is_carried = self.carries_velocity;
+            finite &= lanes::run(self.lanes, Sum { to, from, drift: None, accelerations, is_checked, is_carried });
+        }
+        if R::IS_COMPENSATED {
+            // What has been summed up is the increment.
+            finite &= position.add(self.lanes, x, triples(x.value).map(|_| |sum| sum));
+            finite &= !self.carries_velocity || velocity.add(self.lanes, v, triples(v.value).map(|_| |sum| sum));
         }
         Some(finite)
     }
@@ -73,12 +87,10 @@ impl<R: Real, const STAGES: usize> Then<R> for Combination<'_, R, STAGES> {
     }
 
     fn split(self, slot: u32) -> (Self, Self) {
-        let State { position, velocity } = self.to;
-        let (lower_position, upper_position) = split(position, slot - self.first);
-        let (lower_velocity, upper_velocity) = split(velocity, slot - self.first);
+        let [position, velocity] = self.to.apart().map(|columns| columns.split(slot - self.first));
         (
-            Self { to: State { position: lower_position, velocity: lower_velocity }, ..self },
-            Self { to: State { position: upper_position, velocity: upper_velocity }, first: slot, ..self },
+            Self { to: State::of([position.0, velocity.0]), ..self },
+            Self { to: State::of([position.1, velocity.1]), first: slot, ..self },
         )
     }
 }
@@ -119,6 +131,8 @@ struct Sum<'a, R, const STAGES: usize> {
     drift: Option<(R, &'a [R])>,
     accelerations: Accelerations<'a, R, STAGES>,
     is_checked: bool,
+    /// Whether the rounding of the sum is kept, if numbers keep any.
+    is_carried: bool,
 }
 
 impl<R: Real, const STAGES: usize> Kernel for Sum<'_, R, STAGES> {
@@ -127,8 +141,15 @@ impl<R: Real, const STAGES: usize> Kernel for Sum<'_, R, STAGES> {
 
     #[inline(always)]
     fn run(self, _set: impl Set) -> bool {
-        let Self { to, from, drift, accelerations, is_checked } = self;
+        let Self { to, from, drift, accelerations, is_checked, is_carried } = self;
         match drift {
+            // What is to be added with its rounding kept is added at the end.
+            Some((h, v)) if R::IS_COMPENSATED && is_carried => {
+                for (to, v) in to.iter_mut().zip(v) {
+                    *to = h * *v;
+                }
+            }
+            None if R::IS_COMPENSATED && is_carried => to.fill(R::ZERO),
             Some((h, v)) => {
                 for ((to, from), v) in to.iter_mut().zip(from).zip(v) {
                     *to = *from + h * *v;

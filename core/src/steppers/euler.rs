@@ -1,40 +1,64 @@
 //! What the explicit and the semi-implicit Euler method share: they differ in one argument.
 
 use crate::Real;
+use crate::carried::{Carried, CarriedMut};
 use crate::forces::{Acceleration, Rest, Then, Tile};
 use crate::lanes::{self, SixColumns};
 use crate::types::StepReport;
-use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, split, triples, triples_mut};
+use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, scaled, split, triples, triples_mut};
 use crate::world::View;
 
 /// v' = v + dt·a(x, v); x' = x + dt·v' or, with the `EXPLICIT` one, x' = x + dt·v.
 pub fn advance<R: Real, const EXPLICIT: bool>(view: &mut View<'_, R>, dt: R) -> StepReport {
     let mut report = StepReport::default();
     let View { system, current, next, .. } = view;
-    let (x, v) = (read(&current.position), read(&current.velocity));
-    let update = Update::<R, EXPLICIT> { dt, x, v, first: 0, next_position: lend(&mut next.position) };
-    view.is_next_finite = system.accelerations_then(x, v, lend(&mut next.velocity), &mut report, update);
+    let (x, v) = (current.carried_position(), current.carried_velocity());
+    let [next_position, CarriedMut { value: next_velocity, residual: velocity_residual }] = next.lend().apart();
+    let update = Update::<R, EXPLICIT> { dt, x, v, first: 0, next_position, velocity_residual };
+    view.is_next_finite = system.accelerations_then(x, v.value, next_velocity, &mut report, update);
     report
 }
 
 /// From accelerations to the next velocities, in their place, and positions.
-struct Update<'a, R, const EXPLICIT: bool> {
+struct Update<'a, R: Real, const EXPLICIT: bool> {
     dt: R,
-    x: Columns<'a, R>,
-    v: Columns<'a, R>,
+    x: Carried<'a, R>,
+    v: Carried<'a, R>,
     /// The slot that the next positions begin with.
     first: u32,
-    next_position: ColumnsMut<'a, R>,
+    next_position: CarriedMut<'a, R>,
+    /// Of the next velocities.
+    velocity_residual: ColumnsMut<'a, R::Residual>,
+}
+
+impl<R: Real, const EXPLICIT: bool> Update<'_, R, EXPLICIT> {
+    /// The same sums with their rounding kept.
+    fn carry<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> Option<bool> {
+        let (dt, next) = (self.dt, tile.slots.start - self.first..tile.slots.end - self.first);
+        let (x, v) = (self.x.cut(tile.slots.clone())?, self.v.cut(tile.slots.clone())?);
+        let (lanes, rest) = (tile.rest.lanes, tile.rest);
+        let residual = cut_mut(lend(&mut self.velocity_residual), next.clone())?;
+        let mut velocity = CarriedMut { value: tile.below, residual };
+        let impulses = rest.accelerations().map(|acceleration| move |below| scaled(dt, acceleration(below)));
+        let is_velocity_finite = velocity.lend().add(lanes, v, impulses);
+        let moving = if EXPLICIT { v.value } else { read(&velocity.value) };
+        let drifts = triples(moving).map(|v| move |_| scaled(dt, v));
+        let is_position_finite = self.next_position.lend().cut(next)?.add(lanes, x, drifts);
+        Some(is_velocity_finite && is_position_finite)
+    }
 }
 
 impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
     #[inline(always)]
     fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool {
+        if R::IS_COMPENSATED {
+            return self.carry(tile).unwrap_or(false);
+        }
         let next = tile.slots.start - self.first..tile.slots.end - self.first;
         let (Some(x), Some(v), Some([x_next, y_next, z_next])) = (
-            cut(self.x, tile.slots.clone()),
-            cut(self.v, tile.slots.clone()),
-            cut_mut(lend(&mut self.next_position), next),
+            cut(self.x.value, tile.slots.clone()),
+            cut(self.v.value, tile.slots.clone()),
+            cut_mut(lend(&mut self.next_position.value), next),
         ) else {
             return false;
         };
@@ -44,8 +68,12 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
     }
 
     fn split(self, slot: u32) -> (Self, Self) {
-        let (lower, upper) = split(self.next_position, slot - self.first);
-        (Self { next_position: lower, ..self }, Self { next_position: upper, first: slot, ..self })
+        let (lower, upper) = self.next_position.split(slot - self.first);
+        let (lower_residual, upper_residual) = split(self.velocity_residual, slot - self.first);
+        (
+            Self { next_position: lower, velocity_residual: lower_residual, ..self },
+            Self { next_position: upper, velocity_residual: upper_residual, first: slot, ..self },
+        )
     }
 }
 

@@ -5,7 +5,7 @@ use crate::roles::Stepper;
 use crate::solve::{LinearSolver, Tolerance, Workspace, newton};
 use crate::types::{Full, StepReport};
 use crate::vectors::{advance_columns, lend, read};
-use crate::world::{Plan, State, StateColumns, Storage, View};
+use crate::world::{Plan, StateColumns, Storage, View};
 
 /// √2
 const ROOT: f64 = core::f64::consts::SQRT_2;
@@ -55,12 +55,11 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for TrBdf2<R, M, FILL> {
 
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
         let part = part(dt);
-        let (position, velocity) = self.base.lend();
-        let mut base = State { position, velocity };
+        let mut base = self.base.lend();
         let mut report = StepReport::default();
         // x + ½γdt v and v + ½γdt a(x, v)
         let (x, v) = (read(&view.current.position), read(&view.current.velocity));
-        view.system.accelerations(x, v, lend(&mut view.next.velocity), &mut report);
+        view.system.accelerations(view.current.carried_position(), v, lend(&mut view.next.velocity), &mut report);
         advance_columns(lend(&mut base.position), x, part, v);
         advance_columns(lend(&mut base.velocity), v, part, read(&view.next.velocity));
         let scratch = &mut self.workspace.lend(&view.system, part);

@@ -2,6 +2,7 @@
 
 use super::verlet_stages::{Drift, Kick};
 use crate::Real;
+use crate::carried::Carried;
 use crate::roles::Stepper;
 use crate::shared::share;
 use crate::types::{Full, StepReport};
@@ -101,7 +102,7 @@ impl<R: Real, M: Storage> Stepper<R> for VelocityVerlet<R, M> {
         let is_whole = core::mem::replace(&mut self.particles, particles) >= particles;
         let Sides { now: mut acceleration, beside: next_acceleration, epoch: [epoch, next_epoch] } = self.sides();
         if !is_whole || *epoch != *view.epoch {
-            let (x, v) = (read(&view.current.position), read(&view.current.velocity));
+            let (x, v) = (view.current.carried_position(), read(&view.current.velocity));
             view.system.accelerations(x, v, lend(&mut acceleration), &mut report);
             *epoch = *view.epoch;
         }
@@ -140,22 +141,24 @@ fn advance<R: Real>(
     report: &mut StepReport,
 ) {
     let View { system, current, next, .. } = view;
-    let (x, v) = (read(&current.position), read(&current.velocity));
+    let (x, v) = (current.carried_position(), current.carried_velocity());
     let a = read(acceleration);
     let (lanes, slots) = (system.lanes, 0..system.plan.particles);
+    let [mut next_position, mut next_velocity] = next.lend().apart();
     let drift = Drift {
         lanes,
         dt,
         slots: slots.clone(),
         position: x,
-        velocity: v,
+        velocity: v.value,
         acceleration: a,
-        next_position: lend(&mut next.position),
-        predicted: lend(&mut next.velocity),
+        next_position: next_position.lend(),
+        predicted: lend(&mut next_velocity.value),
     };
     let drifted = share(drift, system.workers);
-    let predicted = read(&next.velocity);
-    system.accelerations(read(&next.position), predicted, lend(&mut next_acceleration), report);
+    let next_x = Carried { value: read(&next_position.value), residual: read(&next_position.residual) };
+    let predicted = read(&next_velocity.value);
+    system.accelerations(next_x, predicted, lend(&mut next_acceleration), report);
     let kick = Kick {
         lanes,
         dt,
@@ -163,7 +166,7 @@ fn advance<R: Real>(
         velocity: v,
         acceleration: a,
         next_acceleration: read(&next_acceleration),
-        next_velocity: lend(&mut next.velocity),
+        next_velocity,
     };
     view.is_next_finite = share(kick, system.workers) && drifted;
 }

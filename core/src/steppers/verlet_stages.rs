@@ -3,24 +3,39 @@
 use core::ops::Range;
 
 use crate::Real;
+use crate::carried::{Carried, CarriedMut};
 use crate::lanes::{self, Kernel, Lanes, Set};
 use crate::shared::Divisible;
-use crate::vectors::{Columns, ColumnsMut, cut, split};
+use crate::vectors::{Columns, ColumnsMut, along, cut, scaled, set, split, triples, triples_mut};
 
 /// x' = x + dt·(v + ½dt·a), and the velocity that is to be expected there, v + dt·a. Tells whether x' is finite.
-pub struct Drift<'a, R> {
+pub struct Drift<'a, R: Real> {
     pub lanes: Lanes,
     /// s
     pub dt: R,
     /// The slots that are written to.
     pub slots: Range<u32>,
-    pub position: Columns<'a, R>,
+    pub position: Carried<'a, R>,
     pub velocity: Columns<'a, R>,
     pub acceleration: Columns<'a, R>,
     /// Of these slots.
-    pub next_position: ColumnsMut<'a, R>,
+    pub next_position: CarriedMut<'a, R>,
     /// Of these slots.
     pub predicted: ColumnsMut<'a, R>,
+}
+
+impl<R: Real> Drift<'_, R> {
+    /// The same with the rounding of x' kept.
+    fn carry(self) -> Option<bool> {
+        let Self { lanes, dt, slots, position, velocity, acceleration, next_position, predicted } = self;
+        let half = R::from_f64(0.5) * dt;
+        let (v, a) = (cut(velocity, slots.clone())?, cut(acceleration, slots.clone())?);
+        for (to, (v, a)) in triples_mut(predicted).zip(triples(v).zip(triples(a))) {
+            set(to, along(v, dt, a));
+        }
+        let drifts = triples(v).zip(triples(a)).map(|(v, a)| move |_| scaled(dt, along(v, half, a)));
+        Some(next_position.add(lanes, position.cut(slots)?, drifts))
+    }
 }
 
 impl<R: Real> Kernel for Drift<'_, R> {
@@ -31,8 +46,8 @@ impl<R: Real> Kernel for Drift<'_, R> {
     fn run(self, _set: impl Set) -> Option<bool> {
         let Self { dt, slots, position, velocity, acceleration, next_position, predicted, .. } = self;
         let half = R::from_f64(0.5) * dt;
-        let state = cut(position, slots.clone())?.into_iter().zip(cut(velocity, slots.clone())?);
-        let columns = next_position.into_iter().zip(predicted).zip(state.zip(cut(acceleration, slots)?));
+        let state = cut(position.value, slots.clone())?.into_iter().zip(cut(velocity, slots.clone())?);
+        let columns = next_position.value.into_iter().zip(predicted).zip(state.zip(cut(acceleration, slots)?));
         let mut infinite = 0;
         for ((next, predicted), ((x, v), a)) in columns {
             for ((next, predicted), ((x, v), a)) in next.iter_mut().zip(predicted).zip(x.iter().zip(v).zip(a)) {
@@ -53,7 +68,7 @@ impl<R: Real> Divisible for Drift<'_, R> {
     }
 
     fn halves(self, slot: u32) -> (Self, Self) {
-        let (lower, upper) = split(self.next_position, slot - self.slots.start);
+        let (lower, upper) = self.next_position.split(slot - self.slots.start);
         let (lower_predicted, upper_predicted) = split(self.predicted, slot - self.slots.start);
         (
             Self { slots: self.slots.start..slot, next_position: lower, predicted: lower_predicted, ..self },
@@ -62,7 +77,8 @@ impl<R: Real> Divisible for Drift<'_, R> {
     }
 
     fn alone(self) -> bool {
-        lanes::run(self.lanes, self).unwrap_or_default()
+        let done = if R::IS_COMPENSATED { self.carry() } else { lanes::run(self.lanes, self) };
+        done.unwrap_or_default()
     }
 
     fn joined(first: bool, second: bool) -> bool {
@@ -71,17 +87,29 @@ impl<R: Real> Divisible for Drift<'_, R> {
 }
 
 /// v' = v + ½dt·(a + a'). Tells whether it is finite.
-pub struct Kick<'a, R> {
+pub struct Kick<'a, R: Real> {
     pub lanes: Lanes,
     /// s
     pub dt: R,
     /// The slots that are written to.
     pub slots: Range<u32>,
-    pub velocity: Columns<'a, R>,
+    pub velocity: Carried<'a, R>,
     pub acceleration: Columns<'a, R>,
     pub next_acceleration: Columns<'a, R>,
     /// Of these slots.
-    pub next_velocity: ColumnsMut<'a, R>,
+    pub next_velocity: CarriedMut<'a, R>,
+}
+
+impl<R: Real> Kick<'_, R> {
+    /// The same with its rounding kept.
+    fn carry(self) -> Option<bool> {
+        let Self { lanes, dt, slots, velocity, acceleration, next_acceleration, next_velocity } = self;
+        let half = R::from_f64(0.5) * dt;
+        let accelerations =
+            triples(cut(acceleration, slots.clone())?).zip(triples(cut(next_acceleration, slots.clone())?));
+        let impulses = accelerations.map(|(a, next)| move |_| scaled(half, along(a, R::ONE, next)));
+        Some(next_velocity.add(lanes, velocity.cut(slots)?, impulses))
+    }
 }
 
 impl<R: Real> Kernel for Kick<'_, R> {
@@ -95,7 +123,7 @@ impl<R: Real> Kernel for Kick<'_, R> {
         let accelerations = cut(acceleration, slots.clone())?.into_iter().zip(cut(next_acceleration, slots.clone())?);
         let mut infinite = 0;
         for (next, (v, (a, next_a))) in
-            next_velocity.into_iter().zip(cut(velocity, slots)?.into_iter().zip(accelerations))
+            next_velocity.value.into_iter().zip(cut(velocity.value, slots)?.into_iter().zip(accelerations))
         {
             for ((next, v), (a, next_a)) in next.iter_mut().zip(v).zip(a.iter().zip(next_a)) {
                 *next = *v + half * (*a + *next_a);
@@ -114,7 +142,7 @@ impl<R: Real> Divisible for Kick<'_, R> {
     }
 
     fn halves(self, slot: u32) -> (Self, Self) {
-        let (lower, upper) = split(self.next_velocity, slot - self.slots.start);
+        let (lower, upper) = self.next_velocity.split(slot - self.slots.start);
         (
             Self { slots: self.slots.start..slot, next_velocity: lower, ..self },
             Self { slots: slot..self.slots.end, next_velocity: upper, ..self },
@@ -122,7 +150,8 @@ impl<R: Real> Divisible for Kick<'_, R> {
     }
 
     fn alone(self) -> bool {
-        lanes::run(self.lanes, self).unwrap_or_default()
+        let done = if R::IS_COMPENSATED { self.carry() } else { lanes::run(self.lanes, self) };
+        done.unwrap_or_default()
     }
 
     fn joined(first: bool, second: bool) -> bool {

@@ -31,7 +31,7 @@ impl<R: Real> Particle<R> {
     /// A free particle of 1 kg at rest at `position` (m).
     #[must_use]
     pub fn at(position: impl Into<R::Vec3>) -> Self {
-        Self { position: position.into(), velocity: [R::ZERO; 3].into(), mass: R::ONE, hold: Hold::Free }
+        Self { position: position.into(), velocity: [R::Coordinate::ZERO; 3].into(), mass: R::ONE, hold: Hold::Free }
     }
 
     /// The same particle with another mass (kg).

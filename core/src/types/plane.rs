@@ -1,7 +1,7 @@
 //! A plane that particles bounce on.
 
 use crate::Real;
-use crate::vectors::{dot, scaled};
+use crate::vectors::{dot, rounded, scaled};
 
 use super::AddPlaneError;
 
@@ -26,8 +26,8 @@ impl<R: Real> Plane<R> {
         normal: impl Into<R::Vec3>,
         restitution: R,
     ) -> Result<Self, AddPlaneError<R>> {
-        let point: [R; 3] = point.into().into();
-        let normal: [R; 3] = normal.into().into();
+        let point = rounded::<R>(point.into());
+        let normal = rounded::<R>(normal.into());
         if !(restitution >= R::ZERO && restitution <= R::ONE) {
             return Err(AddPlaneError::Restitution(restitution));
         }
@@ -51,7 +51,7 @@ impl<R: Real> Plane<R> {
     /// n, of length 1.
     #[must_use]
     pub fn normal(&self) -> R::Vec3 {
-        self.normal.into()
+        self.normal.map(|component| component.told(R::NO_RESIDUAL)).into()
     }
 
     /// n·x of its points, m.

@@ -6,15 +6,17 @@
 pub struct Clock {
     sum: f64,
     residual: f64,
+    /// What the steps so far have been short of it, s, where they are to add up to it.
+    pub owed: f64,
 }
 
 impl Clock {
     /// At 0 s.
-    pub const START: Self = Self { sum: 0.0, residual: 0.0 };
+    pub const START: Self = Self { sum: 0.0, residual: 0.0, owed: 0.0 };
 
     /// At a time, s.
     pub fn at(seconds: f64) -> Self {
-        Self { sum: seconds, residual: 0.0 }
+        Self { sum: seconds, residual: 0.0, owed: 0.0 }
     }
 
     /// s
@@ -28,6 +30,6 @@ impl Clock {
         let sum = self.sum + duration;
         let lost =
             if self.sum.abs() >= duration.abs() { (self.sum - sum) + duration } else { (duration - sum) + self.sum };
-        Self { sum, residual: self.residual + lost }
+        Self { sum, residual: self.residual + lost, owed: self.owed }
     }
 }

@@ -8,8 +8,9 @@ use super::plan::Plan;
 use super::prepare::{Layout, list_incidences, partition};
 use super::rest::{Mark, Watch};
 use super::storage::{Column, Fixed, Storage};
-use super::view::{Springs, State, System, View, incidences_of};
+use super::view::{Springs, State, System, View, incidences_of, told};
 use crate::Real;
+use crate::carried::CarriedMut;
 use crate::lanes::Lanes;
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
 use crate::vectors::{at, difference, fetch, put, read, size, store};
@@ -75,7 +76,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         if !(particle.mass > R::ZERO && particle.mass.is_finite() && (R::ONE / particle.mass).is_finite()) {
             return Err(AddParticleError::Mass(particle.mass));
         }
-        if !(finite(particle.position.into()) && finite(particle.velocity.into())) {
+        if !(carried::<R>(particle.position).is_some() && carried::<R>(particle.velocity).is_some()) {
             return Err(AddParticleError::NotFinite);
         }
         let number = self.particles.push(particle)?;
@@ -135,11 +136,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// # Errors
     /// If it is not finite.
     pub fn set_gravity(&mut self, gravity: impl Into<R::Vec3>) -> Result<(), SetError> {
-        let gravity = gravity.into().into();
-        if !finite(gravity) {
-            return Err(SetError::NotFinite);
-        }
-        self.gravity = gravity;
+        self.gravity = carried::<R>(gravity.into()).ok_or(SetError::NotFinite)?.map(|(value, _)| value);
         self.wake_all();
         self.disturb();
         self.is_current = false;
@@ -152,12 +149,9 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// If there is no such particle, or the position is not finite.
     pub fn set_position(&mut self, particle: u32, position: impl Into<R::Vec3>) -> Result<(), SetError> {
         let slot = self.slot(particle)?;
-        let position = position.into().into();
-        if !finite(position) {
-            return Err(SetError::NotFinite);
-        }
-        let (mut positions, _) = self.current_mut();
-        store(&mut positions, slot, position);
+        let position = carried::<R>(position.into()).ok_or(SetError::NotFinite)?;
+        let [positions, _] = self.current_mut().apart();
+        put_carried(positions, slot, position);
         self.wake(slot);
         self.disturb();
         Ok(())
@@ -170,12 +164,9 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// If there is no such particle, or the velocity is not finite.
     pub fn set_velocity(&mut self, particle: u32, velocity: impl Into<R::Vec3>) -> Result<(), SetError> {
         let slot = self.slot(particle)?;
-        let velocity = velocity.into().into();
-        if !finite(velocity) {
-            return Err(SetError::NotFinite);
-        }
-        let (_, mut velocities) = self.current_mut();
-        store(&mut velocities, slot, velocity);
+        let velocity = carried::<R>(velocity.into()).ok_or(SetError::NotFinite)?;
+        let [_, velocities] = self.current_mut().apart();
+        put_carried(velocities, slot, velocity);
         self.wake(slot);
         self.disturb();
         Ok(())
@@ -195,14 +186,15 @@ impl<R: Real, M: Storage> Container<R, M> {
         velocity: impl Into<R::Vec3>,
     ) -> Result<(), SetError> {
         let slot = self.slot(particle)?;
-        let (position, velocity) = (position.into().into(), velocity.into().into());
-        if !(finite(position) && finite(velocity)) {
+        let (Some(position), Some(velocity)) = (carried::<R>(position.into()), carried::<R>(velocity.into())) else {
             return Err(SetError::NotFinite);
-        }
-        let (mut positions, mut velocities) = self.current_mut();
-        let [former_position, former_velocity] = [fetch(read(&positions), slot), fetch(read(&velocities), slot)];
-        store(&mut positions, slot, position);
-        store(&mut velocities, slot, velocity);
+        };
+        let [positions, velocities] = self.current_mut().apart();
+        let [former_position, former_velocity] =
+            [fetch(read(&positions.value), slot), fetch(read(&velocities.value), slot)];
+        put_carried(positions, slot, position);
+        put_carried(velocities, slot, velocity);
+        let [position, velocity] = [position, velocity].map(|vector| vector.map(|(value, _)| value));
         if velocity != former_velocity || displaced(former_position, position) {
             self.wake(slot);
             self.disturb();
@@ -225,8 +217,8 @@ impl<R: Real, M: Storage> Container<R, M> {
             self.plan = None;
         }
         if hold == Hold::Pinned {
-            let (_, mut velocities) = self.current_mut();
-            store(&mut velocities, slot, [R::ZERO; 3]);
+            let [_, velocities] = self.current_mut().apart();
+            put_carried(velocities, slot, [(R::ZERO, R::NO_RESIDUAL); 3]);
         }
         self.wake(slot);
         self.disturb();
@@ -266,14 +258,14 @@ impl<R: Real, M: Storage> Container<R, M> {
     #[must_use]
     pub fn position(&self, particle: u32) -> Option<R::Vec3> {
         let slot = self.slot(particle).ok()?;
-        Some(fetch(self.particles.state.get(self.front)?.position(), slot).into())
+        Some(told(self.particles.state.get(self.front)?.position(), slot))
     }
 
     /// How fast a particle moves, m/s; nothing if there is no such particle.
     #[must_use]
     pub fn velocity(&self, particle: u32) -> Option<R::Vec3> {
         let slot = self.slot(particle).ok()?;
-        Some(fetch(self.particles.state.get(self.front)?.velocity(), slot).into())
+        Some(told(self.particles.state.get(self.front)?.velocity(), slot))
     }
 
     /// The time of the state, s.
@@ -296,10 +288,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end, rest } =
             particles;
         let (current, next) = if *front == 0 { (a, b) } else { (b, a) };
-        let (position, velocity) = current.lend();
-        let current = State { position, velocity };
-        let (position, velocity) = next.lend();
-        let next = State { position, velocity };
+        let (current, next) = (current.lend(), next.lend());
         let system = System {
             mass: mass.items(),
             inverse_mass: inverse_mass.items(),
@@ -416,7 +405,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.particles.slot_of.items().get(particle as usize).copied().ok_or(SetError::NoSuchParticle(particle))
     }
 
-    fn current_mut(&mut self) -> (crate::vectors::ColumnsMut<'_, R>, crate::vectors::ColumnsMut<'_, R>) {
+    fn current_mut(&mut self) -> State<'_, R> {
         let [a, b] = &mut self.particles.state;
         if self.front == 0 { a.lend() } else { b.lend() }
     }
@@ -469,6 +458,14 @@ fn displaced<R: Real>(before: [R; 3], after: [R; 3]) -> bool {
     size(difference(before, after)) > R::from_f64(64.0) * R::EPSILON * reach
 }
 
-fn finite<R: Real>(vector: [R; 3]) -> bool {
-    vector.into_iter().all(R::is_finite)
+/// A vector as it is carried; nothing if it is not finite so.
+fn carried<R: Real>(vector: R::Vec3) -> Option<[(R, R::Residual); 3]> {
+    let carried = vector.into().map(R::carry);
+    carried.iter().all(|(value, _)| value.is_finite()).then_some(carried)
+}
+
+/// Sets the vector of a slot.
+fn put_carried<R: Real>(mut columns: CarriedMut<'_, R>, slot: u32, vector: [(R, R::Residual); 3]) {
+    store(&mut columns.value, slot, vector.map(|(value, _)| value));
+    store(&mut columns.residual, slot, vector.map(|(_, residual)| residual));
 }

@@ -85,7 +85,7 @@ pub fn arrange<R: Real, M: Storage>(
     held_connect: bool,
 ) -> (Layout, bool) {
     let ParticleColumns { state: [a, b], inverse_mass, slot_of, incidence_end, rest, .. } = particles;
-    let velocity = if front == 0 { a.velocity() } else { b.velocity() };
+    let velocity = if front == 0 { a.velocity() } else { b.velocity() }.value;
     let (inverse_mass, slot_of, rest) = (inverse_mass.items(), slot_of.items(), rest.items_mut());
     let ends = springs.ends.items();
     let mut forest = Forest(springs.incidences.items_mut().as_flattened_mut());

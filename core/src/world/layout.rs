@@ -1,9 +1,10 @@
 //! The data layout: which columns there are, and what each costs. Structure of arrays throughout.
 
 use super::storage::{Column, Storage};
+use super::view::State;
 use crate::Real;
+use crate::carried::Carried;
 use crate::types::{AddParticleError, AddSpringError, Full, Hold, Particle, Spring};
-use crate::vectors::{Columns, ColumnsMut};
 
 /// One spring as one of its particles sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,15 +15,20 @@ pub struct Incidence {
     pub spring: u32,
 }
 
-/// Positions and velocities: 6 reals a particle.
+/// Positions and velocities: 6 reals a particle, and as many residuals where numbers have any.
 pub struct StateColumns<R: Real, M: Storage> {
     /// m
     pub position: [M::Particles<R>; 3],
     /// m/s
     pub velocity: [M::Particles<R>; 3],
+    /// Of positions.
+    pub position_residual: [M::Particles<R::Residual>; 3],
+    /// Of velocities.
+    pub velocity_residual: [M::Particles<R::Residual>; 3],
 }
 
-/// What a particle has: 14 reals and 13 bytes, that is 69 bytes in `f32` and 125 in `f64`.
+/// What a particle has: 14 reals and 13 bytes, that is 69 bytes in `f32` and 125 in `f64`; 12 residuals more where numbers
+/// have any, and 117 bytes.
 ///
 /// Particles are kept in *slots*: first those that springs pull at, then those in free flight, each in the order of
 /// their numbers; where islands may sleep, as `islands.rs` says, and where a mesh is numbered badly, as `renumber.rs`
@@ -67,29 +73,51 @@ pub struct SpringColumns<R: Real, M: Storage> {
 }
 
 impl<R: Real, M: Storage> StateColumns<R, M> {
-    pub const EMPTY: Self = Self { position: [const { Column::EMPTY }; 3], velocity: [const { Column::EMPTY }; 3] };
+    pub const EMPTY: Self = Self {
+        position: [const { Column::EMPTY }; 3],
+        velocity: [const { Column::EMPTY }; 3],
+        position_residual: [const { Column::EMPTY }; 3],
+        velocity_residual: [const { Column::EMPTY }; 3],
+    };
 
-    pub fn position(&self) -> Columns<'_, R> {
-        self.position.each_ref().map(Column::items)
+    pub fn position(&self) -> Carried<'_, R> {
+        Carried {
+            value: self.position.each_ref().map(Column::items),
+            residual: self.position_residual.each_ref().map(Column::items),
+        }
     }
 
-    pub fn velocity(&self) -> Columns<'_, R> {
-        self.velocity.each_ref().map(Column::items)
+    pub fn velocity(&self) -> Carried<'_, R> {
+        Carried {
+            value: self.velocity.each_ref().map(Column::items),
+            residual: self.velocity_residual.each_ref().map(Column::items),
+        }
     }
 
-    pub fn lend(&mut self) -> (ColumnsMut<'_, R>, ColumnsMut<'_, R>) {
-        (self.position.each_mut().map(Column::items_mut), self.velocity.each_mut().map(Column::items_mut))
+    pub fn lend(&mut self) -> State<'_, R> {
+        State {
+            position: self.position.each_mut().map(Column::items_mut),
+            velocity: self.velocity.each_mut().map(Column::items_mut),
+            position_residual: self.position_residual.each_mut().map(Column::items_mut),
+            velocity_residual: self.velocity_residual.each_mut().map(Column::items_mut),
+        }
     }
 
     /// Makes room for so many particles.
     pub fn fit(&mut self, count: usize) -> Result<(), Full> {
-        self.position.iter_mut().chain(&mut self.velocity).try_for_each(|column| column.fit(count))
+        self.position.iter_mut().chain(&mut self.velocity).try_for_each(|column| column.fit(count))?;
+        let residuals = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
+        residuals.into_iter().try_for_each(|column| column.fit(count))
     }
 
-    fn push(&mut self, position: [R; 3], velocity: [R; 3]) -> Result<(), R> {
+    /// Fails where there is no room.
+    fn push(&mut self, position: R::Vec3, velocity: R::Vec3) -> Result<(), ()> {
         let columns = self.position.iter_mut().chain(&mut self.velocity);
-        for (column, component) in columns.zip(position.into_iter().chain(velocity)) {
-            column.push(component)?;
+        let columns = columns.zip(self.position_residual.iter_mut().chain(&mut self.velocity_residual));
+        for ((column, residuals), coordinate) in columns.zip(position.into().into_iter().chain(velocity.into())) {
+            let (value, residual) = R::carry(coordinate);
+            column.push(value).map_err(|_| ())?;
+            residuals.push(residual).map_err(|_| ())?;
         }
         Ok(())
     }
@@ -126,9 +154,9 @@ impl<R: Real, M: Storage> ParticleColumns<R, M> {
         let free = particle.hold == Hold::Free;
         self.mass.push(particle.mass).map_err(|_| full)?;
         self.inverse_mass.push(if free { R::ONE / particle.mass } else { R::ZERO }).map_err(|_| full)?;
-        let velocity = if particle.hold == Hold::Pinned { [R::ZERO; 3] } else { particle.velocity.into() };
+        let velocity = if particle.hold == Hold::Pinned { [R::Coordinate::ZERO; 3].into() } else { particle.velocity };
         for state in &mut self.state {
-            state.push(particle.position.into(), velocity).map_err(|_| full)?;
+            state.push(particle.position, velocity).map_err(|_| full)?;
         }
         Ok(number)
     }

@@ -7,7 +7,6 @@ use super::islands::arrange;
 use super::layout::{Incidence, ParticleColumns, SpringColumns};
 use super::renumber::{NEAR, Renumbered, renumber};
 use super::storage::{Column, Storage};
-use super::view::State;
 use crate::Real;
 use crate::vectors::{at, put};
 
@@ -97,10 +96,7 @@ fn moved<R: Real, M: Storage>(
 fn settle<R: Real, M: Storage>(particles: &mut ParticleColumns<R, M>, first_asleep: u32, front: usize) {
     let [a, b] = &mut particles.state;
     let (current, spare) = if front == 0 { (a, b) } else { (b, a) };
-    let (position, velocity) = spare.lend();
-    let mut spare = State { position, velocity };
-    let (position, velocity) = current.lend();
-    spare.keep(first_asleep, &State { position, velocity });
+    spare.lend().keep(first_asleep, &current.lend());
 }
 
 /// Writes the slots to `incidence_end` in which the particles that springs pull at come first.
@@ -146,6 +142,12 @@ fn permute<R: Real, M: Storage>(
         scatter(column.items(), new_slot, scratch);
         column.items_mut().copy_from_slice(scratch);
     }
+    let [scratch, _, _] = &mut spare.position_residual;
+    let scratch = scratch.items_mut();
+    for column in current.position_residual.iter_mut().chain(&mut current.velocity_residual) {
+        scatter(column.items(), new_slot, scratch);
+        column.items_mut().copy_from_slice(scratch);
+    }
     for slot in slot_of.items_mut() {
         *slot = at(new_slot, *slot);
     }
@@ -157,7 +159,7 @@ fn permute<R: Real, M: Storage>(
     }
 }
 
-fn scatter<R: Real>(from: &[R], new_slot: &[u32], to: &mut [R]) {
+fn scatter<T: Copy>(from: &[T], new_slot: &[u32], to: &mut [T]) {
     for (value, slot) in from.iter().zip(new_slot) {
         put(to, *slot, *value);
     }

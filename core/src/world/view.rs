@@ -6,17 +6,22 @@ use super::pieces::Words;
 use super::plan::Plan;
 use super::rest::Watch;
 use crate::Real;
+use crate::carried::{Carried, CarriedMut, zip};
 use crate::lanes::Lanes;
 use crate::types::{Plane, Sleep, StepError};
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, window};
 use crate::workers::Workers;
 
 /// Positions and velocities by slot.
-pub struct State<'a, R> {
+pub struct State<'a, R: Real> {
     /// m
     pub position: ColumnsMut<'a, R>,
     /// m/s
     pub velocity: ColumnsMut<'a, R>,
+    /// What positions have lost in rounding, if they keep it.
+    pub position_residual: ColumnsMut<'a, R::Residual>,
+    /// What velocities have lost.
+    pub velocity_residual: ColumnsMut<'a, R::Residual>,
 }
 
 impl<R: Real> State<'_, R> {
@@ -24,16 +29,28 @@ impl<R: Real> State<'_, R> {
     pub fn copy_from(&mut self, other: &State<'_, R>) {
         copy_columns(lend(&mut self.position), read(&other.position));
         copy_columns(lend(&mut self.velocity), read(&other.velocity));
+        self.copy_residuals_from(0, other);
+    }
+
+    /// Copies the residuals of another state, for the slots from `first` on.
+    pub fn copy_residuals_from(&mut self, first: u32, other: &State<'_, R>) {
+        let columns = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
+        let others = other.position_residual.iter().chain(&other.velocity_residual);
+        columns.zip(others).for_each(|(column, other)| copy_from(column, other, first));
+    }
+
+    /// Nothing has been lost.
+    pub fn forget_residuals(&mut self) {
+        let columns = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
+        columns.for_each(|column| column.fill(R::NO_RESIDUAL));
     }
 
     /// Copies both from another state, for the slots from `first` on.
     pub fn keep(&mut self, first: u32, other: &State<'_, R>) {
         let columns = self.position.iter_mut().chain(&mut self.velocity);
-        for (column, other) in columns.zip(other.position.iter().chain(&other.velocity)) {
-            for (value, other) in column.iter_mut().zip(other.iter()).skip(first as usize) {
-                *value = *other;
-            }
-        }
+        let others = other.position.iter().chain(&other.velocity);
+        columns.zip(others).for_each(|(column, other)| copy_from(column, other, first));
+        self.copy_residuals_from(first, other);
     }
 
     /// Of the first so many slots.
@@ -41,7 +58,57 @@ impl<R: Real> State<'_, R> {
         State {
             position: lend(&mut self.position).map(|column| first(column, count)),
             velocity: lend(&mut self.velocity).map(|column| first(column, count)),
+            position_residual: lend(&mut self.position_residual).map(|column| first(column, count)),
+            velocity_residual: lend(&mut self.velocity_residual).map(|column| first(column, count)),
         }
+    }
+
+    /// Lent on.
+    pub fn lend(&mut self) -> State<'_, R> {
+        State {
+            position: lend(&mut self.position),
+            velocity: lend(&mut self.velocity),
+            position_residual: lend(&mut self.position_residual),
+            velocity_residual: lend(&mut self.velocity_residual),
+        }
+    }
+
+    /// Positions with their residuals.
+    pub fn carried_position(&self) -> Carried<'_, R> {
+        Carried { value: read(&self.position), residual: read(&self.position_residual) }
+    }
+
+    /// Velocities with their residuals.
+    pub fn carried_velocity(&self) -> Carried<'_, R> {
+        Carried { value: read(&self.velocity), residual: read(&self.velocity_residual) }
+    }
+}
+
+impl<'a, R: Real> State<'a, R> {
+    /// Positions and velocities apart, each with their residuals.
+    pub fn apart(self) -> [CarriedMut<'a, R>; 2] {
+        let Self { position, velocity, position_residual, velocity_residual } = self;
+        [
+            CarriedMut { value: position, residual: position_residual },
+            CarriedMut { value: velocity, residual: velocity_residual },
+        ]
+    }
+
+    /// Of both.
+    pub fn of([position, velocity]: [CarriedMut<'a, R>; 2]) -> Self {
+        Self {
+            position: position.value,
+            velocity: velocity.value,
+            position_residual: position.residual,
+            velocity_residual: velocity.residual,
+        }
+    }
+}
+
+/// The items from `first` on.
+fn copy_from<T: Copy>(to: &mut [T], from: &[T], first: u32) {
+    for (to, from) in to.iter_mut().zip(from).skip(first as usize) {
+        *to = *from;
     }
 }
 
@@ -49,6 +116,11 @@ impl<R: Real> State<'_, R> {
 fn first<R>(column: &mut [R], count: u32) -> &mut [R] {
     let count = column.len().min(count as usize);
     column.split_at_mut_checked(count).map_or(&mut [], |(first, _)| first)
+}
+
+/// The vector of a slot, as it is told at the surface.
+pub fn told<R: Real>(columns: Carried<'_, R>, slot: u32) -> R::Vec3 {
+    zip(fetch(columns.value, slot), fetch(columns.residual, slot)).map(|(value, residual)| value.told(residual)).into()
 }
 
 /// Springs, and the springs of each slot.
@@ -206,20 +278,20 @@ impl<'a, R: Real> View<'a, R> {
     #[must_use]
     pub fn position(&self, particle: u32) -> Option<R::Vec3> {
         let slot = *self.slot_of.get(particle as usize)?;
-        Some(fetch(read(&self.current.position), slot).into())
+        Some(told(self.current.carried_position(), slot))
     }
 
     /// How fast a particle moves, m/s; nothing if there is no such particle.
     #[must_use]
     pub fn velocity(&self, particle: u32) -> Option<R::Vec3> {
         let slot = *self.slot_of.get(particle as usize)?;
-        Some(fetch(read(&self.current.velocity), slot).into())
+        Some(told(self.current.carried_velocity(), slot))
     }
 
     /// Where all particles are (m) and how fast they move (m/s), in the order of their numbers.
     pub fn states(&self) -> impl Iterator<Item = (R::Vec3, R::Vec3)> {
-        let (position, velocity) = (read(&self.current.position), read(&self.current.velocity));
-        self.slot_of.iter().map(move |slot| (fetch(position, *slot).into(), fetch(velocity, *slot).into()))
+        let (position, velocity) = (self.current.carried_position(), self.current.carried_velocity());
+        self.slot_of.iter().map(move |slot| (told(position, *slot), told(velocity, *slot)))
     }
 
     /// The same world without the particles in free flight, which nothing that springs pull at depends on.
@@ -237,8 +309,7 @@ impl<'a, R: Real> View<'a, R> {
     /// The same world as if another state were its current one.
     pub(crate) fn starting_from<'b>(&'b mut self, state: &'b mut State<'_, R>) -> View<'b, R> {
         let system = self.system;
-        let current = State { position: lend(&mut state.position), velocity: lend(&mut state.velocity) };
-        View { current, ..self.part(system) }
+        View { current: state.lend(), ..self.part(system) }
     }
 
     /// The first of its particles, with these springs.

@@ -42,7 +42,7 @@ pub(super) fn coarse_positions(subject: &Subject<'_>) -> Option<Advice> {
         1.0 / part,
         metres(length),
     );
-    let remedy = "use --precision f64, or move the scene closer to the origin".to_owned();
+    let remedy = "use --precision f64 or f32-compensated, or move the scene closer to the origin".to_owned();
     Some(Advice { topic: Topic::CoarsePositions, message, remedy })
 }
 
@@ -70,12 +70,12 @@ pub(super) fn lost_motion(subject: &Subject<'_>) -> Option<Advice> {
         metres(distance),
         metres(gap),
     );
-    let remedy = "use --precision f64, or a longer --time-step".to_owned();
+    let remedy = "use --precision f64 or f32-compensated, or a longer --time-step".to_owned();
     Some(Advice { topic: Topic::LostMotion, message, remedy })
 }
 
 /// Whether a time step (s) is no positive number any more in the precision of the run: no step can be taken.
 #[must_use]
 pub fn vanishing_time_step(settings: &Settings, time_step: f64) -> bool {
-    settings.precision == Precision::F32 && !(time_step as f32 > 0.0 && (time_step as f32).is_finite())
+    settings.precision != Precision::F64 && !(time_step as f32 > 0.0 && (time_step as f32).is_finite())
 }

@@ -4,10 +4,12 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use hooke::Compensated;
+
 use crate::model::Model;
 use crate::record::{BoxedRecorder, Frame, RecordError, Recorder, Sample};
 use crate::scene::{Precision, Settings, TimeStep};
-use crate::simulate::{Ending, Options, Progress, RunError, run};
+use crate::simulate::{Ending, Options, Progress, RunError, Stepped, run};
 
 /// Evenly spaced times at which states are compared; the last is the end. Runs have a multiple of so many steps.
 pub const CHECKPOINTS: u64 = 4;
@@ -47,14 +49,15 @@ pub fn probe(model: &Model, settings: &Settings, steps: u64, interrupted: &Atomi
     };
     match settings.precision {
         Precision::F32 => probe_in::<f32>(model, &settings, interrupted),
+        Precision::F32Compensated => probe_in::<Compensated>(model, &settings, interrupted),
         Precision::F64 => probe_in::<f64>(model, &settings, interrupted),
     }
 }
 
-fn probe_in<R: Sample>(model: &Model, settings: &Settings, interrupted: &AtomicBool) -> Result<Probed, RunError> {
+fn probe_in<R: Stepped>(model: &Model, settings: &Settings, interrupted: &AtomicBool) -> Result<Probed, RunError> {
     let kept = Arc::new(Mutex::new(Vec::new()));
     let recorder = Keep(Arc::clone(&kept));
-    let begin = |_: &_| Ok(vec![Box::new(recorder) as BoxedRecorder<R>]);
+    let begin = |_: &_| Ok(vec![Box::new(recorder) as BoxedRecorder<R::Coordinate>]);
     let options = Options { ledger: false, threads: Some(1), interrupted, progress: &Silent };
     let summary = run::<R>(model, settings, begin, &options)?;
     let mut positions = std::mem::take(&mut *kept.lock().unwrap_or_else(PoisonError::into_inner));

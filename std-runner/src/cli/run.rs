@@ -3,6 +3,8 @@
 use std::io::{ErrorKind, IsTerminal, stderr, stdout};
 use std::num::NonZeroU32;
 
+use hooke::Compensated;
+
 use super::Outcome;
 use super::arguments::RunArguments;
 use super::failure::Failure;
@@ -14,9 +16,9 @@ use super::progress::Bar;
 use super::scene::{Loaded, endless, out_of_range, warn};
 use super::told;
 use crate::advice::{Subject, advise};
-use crate::record::Sample;
+use crate::record::Element;
 use crate::scene::{Precision, Settings};
-use crate::simulate::{Options, RunError, Start, run as simulate};
+use crate::simulate::{Options, RunError, Start, Stepped, run as simulate};
 use crate::units::counted;
 
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
@@ -24,17 +26,18 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
     match loaded.scene.settings().precision {
         Precision::F32 => run_in::<f32>(&loaded, &outputs, arguments),
+        Precision::F32Compensated => run_in::<Compensated>(&loaded, &outputs, arguments),
         Precision::F64 => run_in::<f64>(&loaded, &outputs, arguments),
     }
 }
 
-fn run_in<R: Sample>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArguments) -> Result<Outcome, Failure> {
+fn run_in<R: Stepped>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArguments) -> Result<Outcome, Failure> {
     let (model, settings) = (&loaded.model, loaded.scene.settings());
     let begin = |start: &Start| {
         let recording = Recording { model, settings, start };
-        let recorded_bytes = outputs.bytes(recording, R::SIZE);
+        let recorded_bytes = outputs.bytes(recording, R::Coordinate::SIZE);
         warn(&advise(&Subject { model, settings, start, recorded_bytes }));
-        outputs.open::<R>(recording)
+        outputs.open::<R::Coordinate>(recording)
     };
     // Rows that scroll past and a bar that stays do not go together.
     let rows_on_terminal = outputs.to_standard_output() && stdout().is_terminal();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use hooke::Real;
+use hooke::{Compensated, Real};
 
 use super::failure::Failure;
 use super::print;
@@ -40,6 +40,7 @@ impl Loaded {
         }
         let start = match self.scene.settings().precision {
             Precision::F32 => of::<f32>(self),
+            Precision::F32Compensated => of::<Compensated>(self),
             Precision::F64 => of::<f64>(self),
         };
         let start = start.map_err(|error| out_of_range(&error))?;

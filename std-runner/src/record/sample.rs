@@ -14,7 +14,7 @@ pub trait Element: Sized {
 }
 
 /// A real number that can be recorded: `f32` or `f64`.
-pub trait Sample: Real + Element + Send + 'static {
+pub trait Sample: Real<Coordinate = Self> + Element + Send + 'static {
     /// Appends the shortest decimal text that reads back to the same bits; `NaN`, `inf` or `-inf` if it isn't finite.
     fn append_text(self, text: &mut Vec<u8>);
 }

@@ -107,6 +107,8 @@ choice! {
         /// 32-bit: fastest, about 7 digits.
         #[default]
         F32 = "f32",
+        /// 32-bit, with the rounding of positions and velocities kept: errors like those of 64-bit, for machines without it.
+        F32Compensated = "f32-compensated",
         /// 64-bit: about 16 digits.
         F64 = "f64",
     }

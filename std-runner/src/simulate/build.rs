@@ -55,7 +55,7 @@ pub fn world_with<R: Real>(model: &Model, settings: &Settings) -> Result<HeapWor
 
 /// A vector rounded to `R`.
 pub(super) fn vector<R: Real>(vector: [f64; 3]) -> R::Vec3 {
-    vector.map(R::from_f64).into()
+    vector.map(R::Coordinate::from_f64).into()
 }
 
 fn add_particle<R: Real>(world: &mut HeapWorld<R>, particle: &ModelParticle) -> Result<u32, AddParticleError<R>> {

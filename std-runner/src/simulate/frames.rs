@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use hooke::View;
 
+use super::Stepped;
 use super::build::HeapWorld;
 use super::interpolate::{Moment, hermite};
 use super::method::AnyStepper;
@@ -13,10 +14,10 @@ use super::schedule::Schedule;
 use crate::record::{Background, BoxedRecorder, RecordError, Sample, Stopped};
 
 /// Takes frames.
-pub(super) struct Frames<R: Sample> {
+pub(super) struct Frames<R: Stepped> {
     schedule: Schedule,
     /// Nothing where no frame is recorded: then none is made.
-    background: Option<Background<R>>,
+    background: Option<Background<R::Coordinate>>,
     /// The number of the next frame.
     next: u64,
     /// Time that went by here rather than in steps.
@@ -24,9 +25,9 @@ pub(super) struct Frames<R: Sample> {
     /// The frames within the step that is being taken.
     within: Vec<Within>,
     /// The particles in exact flight at each of them, by number.
-    flights: Vec<(u32, Moment<R>)>,
+    flights: Vec<(u32, Moment<R::Coordinate>)>,
     /// All particles before that step, if there are such frames.
-    before: Vec<Moment<R>>,
+    before: Vec<Moment<R::Coordinate>>,
 }
 
 /// A frame within a step.
@@ -47,9 +48,13 @@ pub(super) struct Taken {
     pub(super) result: Result<(), RecordError>,
 }
 
-impl<R: Sample> Frames<R> {
+impl<R: Stepped> Frames<R> {
     /// Starts a thread for the recorders, if there are any.
-    pub(super) fn new(schedule: Schedule, recorders: Vec<BoxedRecorder<R>>, particles: usize) -> io::Result<Self> {
+    pub(super) fn new(
+        schedule: Schedule,
+        recorders: Vec<BoxedRecorder<R::Coordinate>>,
+        particles: usize,
+    ) -> io::Result<Self> {
         let background = (!recorders.is_empty()).then(|| Background::start(recorders, particles)).transpose()?;
         Ok(Self {
             schedule,
@@ -145,12 +150,12 @@ impl<R: Sample> Frames<R> {
 }
 
 /// A frame of these particles, in the order of their numbers; those in exact flight are where they fly.
-fn hand_over<R: Sample>(
-    background: &mut Background<R>,
+fn hand_over<S: Sample>(
+    background: &mut Background<S>,
     number: u64,
     time: f64,
-    moments: impl Iterator<Item = Moment<R>>,
-    flights: &[(u32, Moment<R>)],
+    moments: impl Iterator<Item = Moment<S>>,
+    flights: &[(u32, Moment<S>)],
 ) -> Result<(), Stopped> {
     background.record(number, time, |positions, velocities| {
         for (position, velocity) in moments {
@@ -167,6 +172,6 @@ fn hand_over<R: Sample>(
 }
 
 /// All particles, in the order of their numbers.
-fn moments<R: Sample>(view: &View<'_, R>) -> impl Iterator<Item = Moment<R>> {
+fn moments<R: Stepped>(view: &View<'_, R>) -> impl Iterator<Item = Moment<R::Coordinate>> {
     view.states().map(|(position, velocity)| (position.into(), velocity.into()))
 }

@@ -12,6 +12,10 @@ mod threads;
 mod time_step;
 mod tracks;
 
+use hooke::Real;
+
+use crate::record::Sample;
+
 pub use build::{BuildError, HeapWorld, world};
 pub use heap::{Heap, HeapColumn};
 pub use method::{AnyResponse, AnyStepper, FILL};
@@ -20,3 +24,8 @@ pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
 pub use threads::Threads;
 pub use time_step::{choose_time_step, largest_stable_step};
+
+/// A number that worlds can be made of whose coordinates can be recorded.
+pub trait Stepped: Real<Coordinate: Sample> {}
+
+impl<R: Real<Coordinate: Sample>> Stepped for R {}

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use hooke::{Ledger, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
 
+use super::Stepped;
 use super::build::{BuildError, HeapWorld, world_with};
 use super::frames::Frames;
 use super::method::{AnyResponse, AnyStepper};
@@ -14,7 +15,7 @@ use super::threads::Threads;
 use super::time_step::choose_time_step;
 use super::tracks::Tracks;
 use crate::model::Model;
-use crate::record::{BoxedRecorder, RecordError, Sample, Stopped};
+use crate::record::{BoxedRecorder, RecordError, Stopped};
 use crate::scene::Settings;
 
 /// What a run does besides stepping.
@@ -106,10 +107,10 @@ impl Start {
 /// # Errors
 /// If the model does not fit the precision `R`, the run has no end, or a frame cannot be written, which ends the run soon
 /// after. That a simulation diverges is not an error here: the summary tells, and the frames up to then are recorded.
-pub fn run<R: Sample>(
+pub fn run<R: Stepped>(
     model: &Model,
     settings: &Settings,
-    begin: impl FnOnce(&Start) -> Result<Vec<BoxedRecorder<R>>, RecordError>,
+    begin: impl FnOnce(&Start) -> Result<Vec<BoxedRecorder<R::Coordinate>>, RecordError>,
     options: &Options<'_>,
 ) -> Result<Summary, RunError> {
     let mut world = world_with::<R>(model, settings)?;
@@ -180,20 +181,20 @@ fn summary(start: Start) -> Summary {
     }
 }
 
-struct Method<R: Sample> {
+struct Method<R: Stepped> {
     stepper: AnyStepper<R>,
     response: AnyResponse<R>,
     ledger: Option<Ledger>,
 }
 
-struct Run<'a, R: Sample> {
+struct Run<'a, R: Stepped> {
     threads: Option<&'a Threads>,
     frames: Frames<R>,
     summary: Summary,
     method: Method<R>,
 }
 
-impl<R: Sample> Run<'_, R> {
+impl<R: Stepped> Run<'_, R> {
     fn steps(&mut self, world: &mut HeapWorld<R>, tracks: &Tracks<'_>, options: &Options<'_>) -> Result<(), Stopped> {
         let schedule = self.summary.schedule;
         self.frames.begin(&world.view())?;
@@ -261,9 +262,9 @@ impl<R: Sample> Run<'_, R> {
     }
 }
 
-impl<R: Sample> Method<R> {
+impl<R: Stepped> Method<R> {
     fn step(&mut self, view: &mut View<'_, R>, length: R, end: f64) -> Result<StepReport, StepError> {
-        fn take<R: Sample>(
+        fn take<R: Stepped>(
             view: &mut View<'_, R>,
             stepper: &mut AnyStepper<R>,
             response: &mut AnyResponse<R>,

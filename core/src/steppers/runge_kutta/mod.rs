@@ -15,7 +15,7 @@ use crate::Real;
 use crate::roles::Stepper;
 use crate::types::{Full, StepError, StepReport};
 use crate::vectors::{Columns, lend, read};
-use crate::world::{Column, Coverage, Plan, State, StateColumns, Storage, View};
+use crate::world::{Column, Coverage, Plan, StateColumns, Storage, View};
 
 use super::combination::{Combination, Terms};
 use tableau::Tableau;
@@ -85,13 +85,11 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
         let particles = view.system.plan.particles;
         let is_kept = core::mem::replace(&mut self.particles, particles) >= particles && self.is_kept(*view.epoch);
         let View { system, current, next, .. } = view;
-        let (position, velocity) = self.stage.lend();
-        let mut spare = State { position, velocity };
-        let mut next = State { position: lend(&mut next.position), velocity: lend(&mut next.velocity) };
+        let (mut spare, mut next) = (self.stage.lend(), next.lend());
         let mut accelerations = self.acceleration.each_mut().map(|columns| columns.each_mut().map(Column::items_mut));
         // What lies on planes is told by velocities too.
         let with_velocity = system.plan.damped != Coverage::None || system.support;
-        let x = (read(&current.position), read(&current.velocity));
+        let state = (current.carried_position(), current.carried_velocity());
         for stage in 0..STAGES {
             let Some((earlier, [fresh, ..])) = accelerations.split_at_mut_checked(stage) else { return };
             let mut known = [Columns::<R>::default(); STAGES];
@@ -102,19 +100,20 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             let is_spare = (STAGES - stage) % 2 == 1;
             let (from, to) = if is_spare { (&spare, &mut next) } else { (&next, &mut spare) };
             let (at, speed) = match stage {
-                0 => x,
-                _ if with_velocity && T::VELOCITY.is_some() => (read(&from.position), read(&from.velocity)),
-                _ => (read(&from.position), x.1),
+                0 => (state.0, state.1.value),
+                _ if with_velocity && T::VELOCITY.is_some() => (from.carried_position(), read(&from.velocity)),
+                _ => (from.carried_position(), state.1.value),
             };
             let terms = Self::terms(dt, stage + 1, with_velocity);
             let combination = Combination {
                 terms,
                 is_step: stage + 1 == STAGES,
+                carries_velocity: stage + 1 == STAGES,
                 lanes: system.lanes,
-                state: x,
+                state,
                 known: known.get(..stage).unwrap_or_default(),
                 first: 0,
-                to: State { position: lend(&mut to.position), velocity: lend(&mut to.velocity) },
+                to: to.lend(),
             };
             let is_kept = stage == 0 && is_kept;
             let finite = if is_kept {
