@@ -176,7 +176,7 @@ impl<R: Real, F: Tension> Kernel for Pull<'_, '_, '_, R, F> {
             velocity: cut(forces.velocity, particles)?,
             lanes: forces.lanes,
             start: forces.start,
-            above: cut_mut(lend(&mut forces.above), 0..TILE)?,
+            above: cut_mut(lend(&mut forces.above), 0..tile.end - tile.start)?,
             slots: forces.slots.clone(),
             below: cut_mut(lend(&mut forces.below), 0..forces.slots.end - forces.slots.start)?,
             nowhere: lend(&mut forces.nowhere),

@@ -55,7 +55,7 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
         let (x, v) = (current.carried_position(), current.carried_velocity());
         let [first, drifts @ ..] = DRIFTS;
         let drift = Combination {
-            terms: Terms { drift: R::from_f64(first) * dt, position: [R::ZERO; TERMS], velocity: None },
+            terms: &Terms::new(R::from_f64(first) * dt, [R::ZERO; TERMS], None),
             is_step: false,
             carries_velocity: false,
             lanes: system.lanes,
@@ -64,12 +64,13 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
             first: 0,
             to: next.lend(),
         };
-        // Nothing is multiplied by anything but 0.
+        // None of them counts.
         drift.of_known(system.plan.particles, v.value);
         for (kick, (b, a)) in KICKS.into_iter().zip(drifts).enumerate() {
             let (from, to) = if kick % 2 == 0 { (&next, &mut spare) } else { (&spare, &mut next) };
             let position = from.carried_position();
             let velocity = if kick == 0 { v } else { from.carried_velocity() };
+            let terms_of_kick = kicked(b * dt.to_f64(), a * dt.to_f64(), count);
             for term in 0..count {
                 let Some((earlier, [fresh, ..])) = terms.split_at_mut_checked(term) else { return };
                 let mut known = [Columns::<R>::default(); TERMS];
@@ -84,7 +85,7 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
                     continue;
                 }
                 let kicked = Combination {
-                    terms: kicked(b * dt.to_f64(), a * dt.to_f64(), count),
+                    terms: &terms_of_kick,
                     is_step: kick + 1 == KICKS.len(),
                     carries_velocity: true,
                     lanes: system.lanes,
@@ -124,11 +125,7 @@ fn kicked<R: Real>(tau: f64, h: f64, count: usize) -> Terms<R, TERMS> {
         power *= tau / f64::from(order);
         *term = power;
     }
-    Terms {
-        drift: R::from_f64(h),
-        position: series.map(|term| R::from_f64(h * term)),
-        velocity: Some(series.map(R::from_f64)),
-    }
+    Terms::new(R::from_f64(h), series.map(|term| R::from_f64(h * term)), Some(series.map(R::from_f64)))
 }
 
 impl<R: Real, M: Storage> Default for BlanesMoanS6<R, M> {

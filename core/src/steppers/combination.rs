@@ -5,24 +5,40 @@ use core::ops::Range;
 use crate::Real;
 use crate::carried::Carried;
 use crate::forces::{Acceleration, Then, Tile};
-use crate::lanes::{self, Kernel, Lanes, Set};
-use crate::vectors::{Columns, cut, lend, read, triples, window};
+use crate::lanes::{Lanes, SixColumns, run_on_six};
+use crate::vectors::{Columns, cut, read, triples, window};
 use crate::world::{State, tiles};
 
 /// x + h v + Σ pⱼ Aⱼ and v + Σ qⱼ Aⱼ.
 #[derive(Clone, Copy)]
 pub struct Terms<R, const STAGES: usize> {
     /// h, s
-    pub drift: R,
-    /// p, s²
-    pub position: [R; STAGES],
-    /// q, s; nothing where nobody asks for the velocity.
-    pub velocity: Option<[R; STAGES]>,
+    drift: R,
+    /// j, p (s²) and q (s), of those that are not 0.
+    factors: [(usize, R, R); STAGES],
+    count: usize,
+    /// Whether anybody asks for the velocity.
+    with_velocity: bool,
+}
+
+impl<R: Real, const STAGES: usize> Terms<R, STAGES> {
+    /// h, p and q; no q where nobody asks for the velocity.
+    pub fn new(drift: R, position: [R; STAGES], velocity: Option<[R; STAGES]>) -> Self {
+        let mut terms =
+            Self { drift, factors: [(0, R::ZERO, R::ZERO); STAGES], count: 0, with_velocity: velocity.is_some() };
+        let factors = position.into_iter().zip(velocity.unwrap_or([R::ZERO; STAGES]));
+        let factors = factors.enumerate().filter(|(_, (p, q))| *p != R::ZERO || *q != R::ZERO);
+        for (place, (stage, (p, q))) in terms.factors.iter_mut().zip(factors) {
+            *place = (stage, p, q);
+            terms.count += 1;
+        }
+        terms
+    }
 }
 
 /// Writes such a state, once the last of the accelerations is known.
 pub struct Combination<'a, R: Real, const STAGES: usize> {
-    pub terms: Terms<R, STAGES>,
+    pub terms: &'a Terms<R, STAGES>,
     /// Whether it is to be finite: only of the step itself, as no sum gets finite again.
     pub is_step: bool,
     /// Whether its velocity is carried on, with what rounding takes from it.
@@ -52,25 +68,26 @@ impl<R: Real, const STAGES: usize> Combination<'_, R, STAGES> {
         let to = tile.start - self.first..tile.end - self.first;
         let [position, velocity] = self.to.lend().apart();
         let (mut position, mut velocity) = (position.cut(to.clone())?, velocity.cut(to)?);
-        let Terms { drift, position: p, velocity: q } = self.terms;
-        let is_checked = self.is_step;
-        let mut finite = true;
-        for (axis, ((to, from), v)) in lend(&mut position.value).into_iter().zip(x.value).zip(v.value).enumerate() {
-            let accelerations = accelerations(self.known, fresh, axis, &tile, p)?;
-            finite &= lanes::run(
-                self.lanes,
-                Sum { to, from, drift: Some((drift, v)), accelerations, is_checked, is_carried: true },
-            );
+        let mut accelerations = [(R::ZERO, R::ZERO, Columns::<R>::default()); STAGES];
+        let factors = self.terms.factors.get(..self.terms.count)?;
+        for (place, (stage, p, q)) in accelerations.iter_mut().zip(factors) {
+            let column = match self.known.get(*stage) {
+                Some(known) => cut(*known, tile.clone())?,
+                None => fresh,
+            };
+            *place = (*p, *q, column);
         }
-        for (axis, ((to, from), q)) in
-            lend(&mut velocity.value).into_iter().zip(v.value).zip(q.into_iter().cycle()).enumerate()
-        {
-            let accelerations = accelerations(self.known, fresh, axis, &tile, q)?;
-            let is_carried = self.carries_velocity;
-            finite &= lanes::run(self.lanes, Sum { to, from, drift: None, accelerations, is_checked, is_carried });
-        }
+        let sums = Sums {
+            from: (x.value, v.value),
+            drift: self.terms.drift,
+            accelerations: accelerations.get(..self.terms.count)?,
+            with_velocity: self.terms.with_velocity,
+            is_checked: self.is_step,
+            carries_velocity: self.carries_velocity,
+        };
+        let ([x_to, y_to, z_to], [u_to, v_to, w_to]) = (&mut position.value, &mut velocity.value);
+        let mut finite = run_on_six(self.lanes, sums, x_to, y_to, z_to, u_to, v_to, w_to)?;
         if R::IS_COMPENSATED {
-            // What has been summed up is the increment.
             finite &= position.add(self.lanes, x, triples(x.value).map(|_| |sum| sum));
             finite &= !self.carries_velocity || velocity.add(self.lanes, v, triples(v.value).map(|_| |sum| sum));
         }
@@ -95,81 +112,87 @@ impl<R: Real, const STAGES: usize> Then<R> for Combination<'_, R, STAGES> {
     }
 }
 
-/// Accelerations along one axis, with what each is multiplied by: those that count.
-#[derive(Clone, Copy)]
-struct Accelerations<'a, R, const STAGES: usize> {
-    terms: [(R, &'a [R]); STAGES],
-    count: usize,
-}
+/// p, q and A along one axis.
+type Term<'a, R> = (R, R, &'a [R]);
 
-/// Nothing if a column is too short.
-fn accelerations<'a, R: Real, const STAGES: usize>(
-    known: &[Columns<'a, R>],
-    fresh: Columns<'a, R>,
-    axis: usize,
-    tile: &Range<u32>,
-    factors: [R; STAGES],
-) -> Option<Accelerations<'a, R, STAGES>> {
-    let mut found = Accelerations { terms: [(R::ZERO, [].as_slice()); STAGES], count: 0 };
-    let fresh = [*fresh.get(axis)?];
-    let columns = known.iter().map(|columns| cut([*columns.get(axis)?], tile.clone()));
-    for (column, factor) in columns.chain([Some(fresh)]).zip(factors) {
-        let [column] = column?;
-        if factor != R::ZERO {
-            *found.terms.get_mut(found.count)? = (factor, column);
-            found.count += 1;
-        }
-    }
-    Some(found)
-}
-
-/// Along one axis of a tile.
-struct Sum<'a, R, const STAGES: usize> {
-    to: &'a mut [R],
-    from: &'a [R],
-    /// h and v
-    drift: Option<(R, &'a [R])>,
-    accelerations: Accelerations<'a, R, STAGES>,
+/// Those of a tile.
+struct Sums<'a, R> {
+    /// x and v.
+    from: (Columns<'a, R>, Columns<'a, R>),
+    drift: R,
+    accelerations: &'a [(R, R, Columns<'a, R>)],
+    with_velocity: bool,
     is_checked: bool,
-    /// Whether the rounding of the sum is kept, if numbers keep any.
-    is_carried: bool,
+    /// Whether v is added later, with its rounding kept, as x always is where numbers keep any.
+    carries_velocity: bool,
 }
 
-impl<R: Real, const STAGES: usize> Kernel for Sum<'_, R, STAGES> {
-    /// Whether it is finite, if that is asked.
-    type Output = bool;
+impl<R: Real> SixColumns<R> for Sums<'_, R> {
+    /// Whether they are finite, if that is asked; nothing if a column is too short.
+    type Output = Option<bool>;
 
     #[inline(always)]
-    fn run(self, _set: impl Set) -> bool {
-        let Self { to, from, drift, accelerations, is_checked, is_carried } = self;
-        match drift {
-            // What is to be added with its rounding kept is added at the end.
-            Some((h, v)) if R::IS_COMPENSATED && is_carried => {
-                for (to, v) in to.iter_mut().zip(v) {
-                    *to = h * *v;
+    fn run(self, x: &mut [R], y: &mut [R], z: &mut [R], u: &mut [R], v: &mut [R], w: &mut [R]) -> Option<bool> {
+        let mut finite = true;
+        for (axis, (position, velocity)) in [(x, u), (y, v), (z, w)].into_iter().enumerate() {
+            finite &= if self.with_velocity {
+                self.along::<true>(axis, position, velocity)?
+            } else {
+                self.along::<false>(axis, position, velocity)?
+            };
+        }
+        Some(finite)
+    }
+}
+
+impl<R: Real> Sums<'_, R> {
+    #[inline(always)]
+    fn along<const VELOCITY: bool>(&self, axis: usize, position: &mut [R], velocity: &mut [R]) -> Option<bool> {
+        let count = position.len();
+        let (x, v) = (self.from.0.get(axis)?.get(..count)?, self.from.1.get(axis)?.get(..count)?);
+        let velocity = velocity.get_mut(..count)?;
+        for ((to, x), v) in position.iter_mut().zip(x).zip(v) {
+            let drift = self.drift * *v;
+            *to = if R::IS_COMPENSATED { drift } else { *x + drift };
+        }
+        if VELOCITY {
+            for (to, v) in velocity.iter_mut().zip(v) {
+                *to = if R::IS_COMPENSATED && self.carries_velocity { R::ZERO } else { *v };
+            }
+        }
+        let term = |index: usize| -> Option<Term<'_, R>> {
+            let (p, q, columns) = self.accelerations.get(index)?;
+            Some((*p, *q, columns.get(axis)?.get(..count)?))
+        };
+        // Some at a time, so that the sums are not written and read again for each; their order is the same.
+        let mut index = 0;
+        while let (Some(a), Some(b), Some(c), Some(d)) =
+            (term(index), term(index + 1), term(index + 2), term(index + 3))
+        {
+            add_four::<R, VELOCITY>(position, velocity, [a, b, c, d]);
+            index += 4;
+        }
+        while let Some((p, q, a)) = term(index) {
+            for ((x, v), a) in position.iter_mut().zip(&mut *velocity).zip(a) {
+                *x += p * *a;
+                if VELOCITY {
+                    *v += q * *a;
                 }
             }
-            None if R::IS_COMPENSATED && is_carried => to.fill(R::ZERO),
-            Some((h, v)) => {
-                for ((to, from), v) in to.iter_mut().zip(from).zip(v) {
-                    *to = *from + h * *v;
-                }
-            }
-            None => to.copy_from_slice(from.get(..to.len()).unwrap_or_default()),
+            index += 1;
         }
-        let terms = accelerations.terms.get(..accelerations.count).unwrap_or_default();
-        // Some at a time, so that the sum is not written and read again for each; its order is the same.
-        let (fours, rest) = terms.as_chunks::<4>();
-        for [(p, a), (q, b), (r, c), (s, d)] in fours {
-            for ((((to, a), b), c), d) in to.iter_mut().zip(*a).zip(*b).zip(*c).zip(*d) {
-                *to = *to + *p * *a + *q * *b + *r * *c + *s * *d;
-            }
+        let finite = |column: &[R]| column.iter().fold(true, |finite, value| finite & value.is_finite());
+        Some(!self.is_checked || finite(position) && (!VELOCITY || finite(velocity)))
+    }
+}
+
+#[inline(always)]
+fn add_four<R: Real, const VELOCITY: bool>(position: &mut [R], velocity: &mut [R], [a, b, c, d]: [Term<'_, R>; 4]) {
+    let accelerations = a.2.iter().zip(b.2).zip(c.2.iter().zip(d.2));
+    for ((x, v), ((a_i, b_i), (c_i, d_i))) in position.iter_mut().zip(velocity).zip(accelerations) {
+        *x = *x + a.0 * *a_i + b.0 * *b_i + c.0 * *c_i + d.0 * *d_i;
+        if VELOCITY {
+            *v = *v + a.1 * *a_i + b.1 * *b_i + c.1 * *c_i + d.1 * *d_i;
         }
-        for (p, a) in rest {
-            for (to, a) in to.iter_mut().zip(*a) {
-                *to += *p * *a;
-            }
-        }
-        !is_checked || to.iter().fold(true, |finite, value| finite & value.is_finite())
     }
 }

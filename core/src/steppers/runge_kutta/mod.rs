@@ -55,18 +55,12 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             row.map_or([R::ZERO; STAGES], |row| row.map(|coefficient| R::from_f64(scale * coefficient)))
         };
         if stage == STAGES {
-            return Terms {
-                drift: R::from_f64(dt),
-                position: scaled(dt * dt, Some(&T::POSITION_WEIGHTS)),
-                velocity: Some(scaled(dt, Some(&T::VELOCITY_WEIGHTS))),
-            };
+            let position = scaled(dt * dt, Some(&T::POSITION_WEIGHTS));
+            return Terms::new(R::from_f64(dt), position, Some(scaled(dt, Some(&T::VELOCITY_WEIGHTS))));
         }
         let node = T::NODES.get(stage).copied().unwrap_or_default();
-        Terms {
-            drift: R::from_f64(dt * node),
-            position: scaled(dt * dt, T::POSITION.get(stage)),
-            velocity: T::VELOCITY.filter(|_| with_velocity).map(|rows| scaled(dt, rows.get(stage))),
-        }
+        let velocity = T::VELOCITY.filter(|_| with_velocity).map(|rows| scaled(dt, rows.get(stage)));
+        Terms::new(R::from_f64(dt * node), scaled(dt * dt, T::POSITION.get(stage)), velocity)
     }
 
     /// Whether the first acceleration is that of the current state already.
@@ -90,12 +84,8 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
         // What lies on planes is told by velocities too.
         let with_velocity = system.plan.damped != Coverage::None || system.support;
         let state = (current.carried_position(), current.carried_velocity());
-        for stage in 0..STAGES {
-            let Some((earlier, [fresh, ..])) = accelerations.split_at_mut_checked(stage) else { return };
-            let mut known = [Columns::<R>::default(); STAGES];
-            for (known, columns) in known.iter_mut().zip(&*earlier) {
-                *known = read(columns);
-            }
+        let mut known = [Columns::<R>::default(); STAGES];
+        for (stage, fresh) in accelerations.iter_mut().enumerate() {
             // The last stage is in the spare state, so that the step can be written while it is still read.
             let is_spare = (STAGES - stage) % 2 == 1;
             let (from, to) = if is_spare { (&spare, &mut next) } else { (&next, &mut spare) };
@@ -106,7 +96,7 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             };
             let terms = Self::terms(dt, stage + 1, with_velocity);
             let combination = Combination {
-                terms,
+                terms: &terms,
                 is_step: stage + 1 == STAGES,
                 carries_velocity: stage + 1 == STAGES,
                 lanes: system.lanes,
@@ -123,6 +113,9 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             };
             if stage + 1 == STAGES {
                 view.is_next_finite = finite;
+            }
+            if let Some(known) = known.get_mut(stage) {
+                *known = read(fresh);
             }
         }
         // What planes hold up follows from velocities that the last stage does not have.
