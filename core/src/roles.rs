@@ -25,6 +25,19 @@ pub trait Stepper<R: Real> {
     /// Writes the state `dt` seconds after the current one to the next one. Planes are not its business.
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport;
 
+    /// Writes the state at most `most` seconds after the current one to the next one, and returns after how many: fewer
+    /// where it chooses the lengths of its steps itself.
+    fn advance_up_to(&mut self, view: &mut View<'_, R>, most: R, report: &mut StepReport) -> R {
+        report.add(&self.advance(view, most));
+        most
+    }
+
+    /// A step begins.
+    fn begins(&mut self, _view: &View<'_, R>) {}
+
+    /// It has failed: what takes steps in parts makes the state what it was.
+    fn fails(&mut self, _view: &mut View<'_, R>) {}
+
     /// The order of its accuracy.
     fn order(&self) -> u32;
 

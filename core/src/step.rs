@@ -97,6 +97,7 @@ impl<R: Real> View<'_, R> {
         response.fit(&self.system.plan)?;
         self.end = end;
         self.is_next_finite = false;
+        stepper.begins(self);
         observer.begins();
         let stepped = if self.system.plan.asleep == 0 {
             response.step(self, stepper, dt, observer)
@@ -105,6 +106,7 @@ impl<R: Real> View<'_, R> {
         };
         if stepped.is_err() {
             observer.fails();
+            stepper.fails(self);
             // What the stepper may remember of the state that was not to be must not pass for that of one to come.
             *self.epoch += 2;
         } else if let Some(sleep) = self.sleep

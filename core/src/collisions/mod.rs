@@ -8,6 +8,7 @@ mod extent;
 mod flights;
 mod impacts;
 mod locate;
+mod parts;
 mod pass;
 mod project;
 mod reflect;

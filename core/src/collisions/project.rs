@@ -1,5 +1,6 @@
 //! The response that also puts particles back on the plane.
 
+use super::parts::advance_in_parts;
 use super::reflect::{answer, finish};
 use crate::Real;
 use crate::forces::energy;
@@ -23,10 +24,7 @@ impl<R: Real> Response<R> for Project {
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
-        let mut report = stepper.advance(view, dt);
-        report.substeps = 1;
-        view.refuse_non_finite()?;
-        observer.advanced(view, dt);
+        let mut report = advance_in_parts(view, stepper, dt, observer)?;
         let watched = observer.watches() && view.system.plan.planes > 0;
         let potential = |view: &View<'_, R>| {
             if watched { energy::potential(&view.system, &view.next) } else { 0.0 }

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::parts::advance_in_parts;
 use crate::Real;
 use crate::lanes::{self, Kernel, Set};
 use crate::reach::Reach;
@@ -28,10 +29,7 @@ impl<R: Real> Response<R> for Reflect {
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
-        let mut report = stepper.advance(view, dt);
-        report.substeps = 1;
-        view.refuse_non_finite()?;
-        observer.advanced(view, dt);
+        let mut report = advance_in_parts(view, stepper, dt, observer)?;
         let answer = answer(&view.system, &mut view.next, |_, _, position| position);
         finish(view, &mut report, &answer, observer)?;
         Ok(report)

@@ -125,9 +125,25 @@ fn step<R: Real>(
     let mut rest = dt;
     let mut stopped = None;
     if view.system.plan.attached > 0 {
-        while let Some(mut hit) = advance_to_hit(view, stepper, rest, &mut report)? {
+        loop {
+            let (part, hit) = advance_to_hit(view, stepper, rest, &mut report)?;
+            let Some(mut hit) = hit else {
+                if part >= rest {
+                    break;
+                }
+                start.save(view);
+                observer.advanced(view, part);
+                view.next.keep(view.system.plan.attached, &view.current);
+                view.commit(view.clock.later(part.to_f64()), false);
+                rest -= part;
+                continue;
+            };
             report.substeps += 1;
             if report.substeps == MOST_SUBSTEPS {
+                if part < rest {
+                    report.add(&stepper.advance(&mut view.attached(), rest));
+                    view.attached().refuse_non_finite()?;
+                }
                 observer.advanced(view, rest);
                 let answer = stop_all(view, observer.watches());
                 view.attached().refuse_non_finite()?;
@@ -140,7 +156,7 @@ fn step<R: Real>(
             let mut meets = true;
             if hit.tau > R::ZERO {
                 if stepper.order() > PARABOLA {
-                    match locate(view, stepper, hit.slot, &hit.plane, hit.tau, rest, &mut report) {
+                    match locate(view, stepper, hit.slot, &hit.plane, hit.tau, part, &mut report) {
                         Some(tau) => hit.tau = tau,
                         None => meets = false,
                     }
@@ -178,18 +194,18 @@ fn step<R: Real>(
     Ok(report)
 }
 
-/// Advances what springs pull at to the end of the step, and finds the first hit on the way there.
+/// Advances what springs pull at towards the end of the step, and tells by how much and the first hit on the way there.
 fn advance_to_hit<R: Real>(
     view: &mut View<'_, R>,
     stepper: &mut impl Stepper<R>,
     rest: R,
     report: &mut StepReport,
-) -> Result<Option<Hit<R>>, StepError> {
+) -> Result<(R, Option<Hit<R>>), StepError> {
     let mut attached = view.attached();
-    report.add(&stepper.advance(&mut attached, rest));
+    let part = stepper.advance_up_to(&mut attached, rest, report);
     attached.refuse_non_finite()?;
-    keep_lying(&mut attached, rest);
-    Ok(first_hit(&attached, rest))
+    keep_lying(&mut attached, part);
+    Ok((part, first_hit(&attached, part)))
 }
 
 /// Keeps what lay on a plane before a step, and is not pulled off it, on that plane. The roundings of the step are taken

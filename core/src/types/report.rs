@@ -15,6 +15,8 @@ pub struct StepReport {
     pub residual: f64,
     /// Evaluations of all spring forces.
     pub force_evaluations: u32,
+    /// Parts of steps that were taken anew, shorter, because their error was too large.
+    pub rejected: u32,
     /// Bounces on planes.
     pub hits: u32,
     /// The parts that hits cut the step into: 1 without any.
@@ -37,6 +39,7 @@ impl Default for StepReport {
             factorisations: 0,
             residual: 0.0,
             force_evaluations: 0,
+            rejected: 0,
             hits: 0,
             substeps: 0,
             capped: 0,
@@ -55,6 +58,7 @@ impl StepReport {
         self.factorisations = self.factorisations.saturating_add(later.factorisations);
         self.residual = if later.residual > self.residual { later.residual } else { self.residual };
         self.force_evaluations = self.force_evaluations.saturating_add(later.force_evaluations);
+        self.rejected = self.rejected.saturating_add(later.rejected);
         self.hits = self.hits.saturating_add(later.hits);
         self.substeps = self.substeps.saturating_add(later.substeps);
         self.capped = self.capped.saturating_add(later.capped);

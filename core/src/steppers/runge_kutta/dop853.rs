@@ -1,7 +1,9 @@
 //! The Runge-Kutta method of order 8 that is measured by most.
 
-use super::RungeKutta;
+use super::embedded::{Difference, Embedded, less};
 use super::tableau::{FirstOrder, row};
+use super::{Adaptive, RungeKutta};
+use crate::Real;
 
 /// The coefficients of DOP853 (Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I*, 2nd edition 1993,
 /// §II.10; after Dormand and Prince).
@@ -10,6 +12,9 @@ pub struct Hairer;
 
 /// DOP853 with a fixed step: eighth order, twelve force evaluations a step.
 pub type Dop853<R, M> = RungeKutta<R, M, Hairer, 12>;
+
+/// DOP853 as its authors use it: each step as long as its error estimate, of orders 5 and 3 together, allows.
+pub type AdaptiveDop853<R, M> = Adaptive<R, M, Hairer, 12>;
 
 impl FirstOrder<12> for Hairer {
     const NODES: [f64; 12] = [
@@ -106,3 +111,51 @@ impl FirstOrder<12> for Hairer {
     ];
     const ORDER: u32 = 8;
 }
+
+impl Embedded<12> for Hairer {
+    /// Of the fifth order and of the third.
+    const DIFFERENCES: [Option<Difference<12>>; 2] =
+        [Some(Difference::of(FIFTH, &Self::MATRIX)), Some(Difference::of(THIRD, &Self::MATRIX))];
+    const ESTIMATED_ORDER: u32 = 8;
+
+    /// The fifth order's, by how much smaller it is than the third order's.
+    fn estimate([fifth, third]: [f64; 2]) -> f64 {
+        let size = Real::sqrt(fifth * fifth + 0.01 * third * third);
+        if size > 0.0 { fifth * (fifth / size) } else { 0.0 }
+    }
+}
+
+/// The weights of the method less those of one of fifth order.
+const FIFTH: [f64; 12] = [
+    0.013_120_044_994_194_88,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    -1.225_156_446_376_204_4,
+    -0.495_758_949_657_250_2,
+    1.664_377_182_454_986_5,
+    -0.350_328_848_749_973_7,
+    0.334_179_118_713_017_5,
+    0.081_923_206_485_115_71,
+    -0.022_355_307_863_886_294,
+];
+
+/// The weights of the method less those of one of third order, which has three stages.
+const THIRD: [f64; 12] = less(
+    <Hairer as FirstOrder<12>>::WEIGHTS,
+    [
+        0.244_094_488_188_976_38,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        0.733_846_688_281_611_9,
+        0.0,
+        0.0,
+        0.022_058_823_529_411_766,
+    ],
+);

@@ -1,16 +1,20 @@
 //! A Nyström method of order 8.
 
-use super::RungeKutta;
+use super::embedded::{Difference, Embedded, less};
 use super::tableau::{Tableau, row};
+use super::{Adaptive, RungeKutta};
 
 /// RKN8(6)9FM of Dormand, El-Mikkawy and Prince (*High-order embedded Runge-Kutta-Nyström formulae*, IMA Journal of
-/// Numerical Analysis 7, 1987), without its embedded formula.
+/// Numerical Analysis 7, 1987).
 #[derive(Clone, Copy, Debug)]
 pub struct DormandPrince;
 
 /// The Runge-Kutta-Nyström method 8(6) of Dormand and Prince: eighth order, eight force evaluations a step, for worlds
 /// without damping: its stages have no velocities.
 pub type DormandPrinceRkn8<R, M> = RungeKutta<R, M, DormandPrince, 9>;
+
+/// The same with steps as long as its embedded formula of sixth order allows.
+pub type AdaptiveDormandPrinceRkn8<R, M> = Adaptive<R, M, DormandPrince, 9>;
 
 const WEIGHTS: [f64; 9] =
     [223.0 / 7938.0, 0.0, 1175.0 / 8064.0, 925.0 / 6048.0, 41.0 / 448.0, 925.0 / 14112.0, 1175.0 / 72576.0, 0.0, 0.0];
@@ -65,3 +69,40 @@ impl Tableau<9> for DormandPrince {
     const ORDER: u32 = 8;
     const FIRST_SAME_AS_LAST: bool = true;
 }
+
+impl Embedded<9> for DormandPrince {
+    /// Of the sixth order.
+    const DIFFERENCES: [Option<Difference<9>>; 2] = [
+        Some(Difference { position: less(WEIGHTS, SIXTH), velocity: less(Self::VELOCITY_WEIGHTS, SIXTH_VELOCITY) }),
+        None,
+    ];
+    const ESTIMATED_ORDER: u32 = 7;
+
+    fn estimate([sixth, _]: [f64; 2]) -> f64 {
+        sixth
+    }
+}
+
+const SIXTH: [f64; 9] = [
+    7_987_313.0 / 109_941_300.0,
+    0.0,
+    1_610_737.0 / 44_674_560.0,
+    10_023_263.0 / 33_505_920.0,
+    -497_221.0 / 12_409_600.0,
+    10_023_263.0 / 78_180_480.0,
+    1_610_737.0 / 402_071_040.0,
+    0.0,
+    0.0,
+];
+
+const SIXTH_VELOCITY: [f64; 9] = [
+    7_987_313.0 / 109_941_300.0,
+    0.0,
+    1_610_737.0 / 40_207_104.0,
+    10_023_263.0 / 23_454_144.0,
+    -497_221.0 / 6_204_800.0,
+    10_023_263.0 / 23_454_144.0,
+    1_610_737.0 / 40_207_104.0,
+    -4_251_941.0 / 54_970_650.0,
+    3.0 / 20.0,
+];

@@ -1,12 +1,15 @@
 //! Explicit Runge-Kutta methods: one loop over stages for all of them.
 
+mod adaptive;
 mod dop853;
 mod dormand_prince_rkn8;
+mod embedded;
 mod rk4;
 mod tableau;
 
-pub use dop853::Dop853;
-pub use dormand_prince_rkn8::DormandPrinceRkn8;
+pub use adaptive::Adaptive;
+pub use dop853::{AdaptiveDop853, Dop853};
+pub use dormand_prince_rkn8::{AdaptiveDormandPrinceRkn8, DormandPrinceRkn8};
 pub use rk4::Rk4;
 
 use core::marker::PhantomData;

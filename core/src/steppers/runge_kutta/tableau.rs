@@ -71,7 +71,7 @@ const fn product<const STAGES: usize>(
 }
 
 /// The sum of the rows of a matrix with these weights.
-const fn weighted<const STAGES: usize>(weights: &[f64; STAGES], rows: &[[f64; STAGES]; STAGES]) -> [f64; STAGES] {
+pub const fn weighted<const STAGES: usize>(weights: &[f64; STAGES], rows: &[[f64; STAGES]; STAGES]) -> [f64; STAGES] {
     let mut sum = [0.0; STAGES];
     let (mut weights, mut rows) = (weights.as_slice(), rows.as_slice());
     while let ([weight, further_weights @ ..], [row, further_rows @ ..]) = (weights, rows) {

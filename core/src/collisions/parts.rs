@@ -1,0 +1,28 @@
+//! A step in as many parts as the stepper takes it in.
+
+use crate::Real;
+use crate::roles::{Observer, Stepper};
+use crate::types::{StepError, StepReport};
+use crate::world::View;
+
+/// Advances a whole step, the last part of it to the next state.
+pub fn advance_in_parts<R: Real>(
+    view: &mut View<'_, R>,
+    stepper: &mut impl Stepper<R>,
+    dt: R,
+    observer: &mut impl Observer<R>,
+) -> Result<StepReport, StepError> {
+    let mut report = StepReport::default();
+    let mut rest = dt;
+    loop {
+        let part = stepper.advance_up_to(view, rest, &mut report);
+        view.refuse_non_finite()?;
+        observer.advanced(view, part);
+        if part >= rest {
+            report.substeps = 1;
+            return Ok(report);
+        }
+        view.commit(view.clock.later(part.to_f64()), false);
+        rest -= part;
+    }
+}
