@@ -145,7 +145,7 @@ const FIFTH: [f64; 12] = [
 const THIRD: [f64; 12] = less(
     <Hairer as FirstOrder<12>>::WEIGHTS,
     [
-        0.244_094_488_188_976_38,
+        0.244_094_488_188_976_4,
         0.0,
         0.0,
         0.0,
