@@ -2,10 +2,12 @@
 
 pub mod advice;
 pub mod bench;
+pub mod chart;
 pub mod cli;
 pub mod draw;
 pub mod model;
 pub mod record;
+pub mod report;
 pub mod scene;
 pub mod simulate;
 mod units;

@@ -45,7 +45,7 @@ pub(crate) fn seconds(value: f64) -> String {
 
 /// `1.5 mm`, `20 m`, `3 km`.
 pub(crate) fn metres(value: f64) -> String {
-    prefixed(value, "m", &[(1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")])
+    prefixed(value, "m", &[(1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p"), (1e-15, "f")])
 }
 
 /// `3 times`, `1.02 times`.
@@ -63,4 +63,26 @@ pub(crate) fn bytes(number: u128) -> String {
         amount /= 1000.0;
     }
     format!("{} PB", short(amount))
+}
+
+/// `1.5 mJ`, `20 J`.
+pub(crate) fn joules(value: f64) -> String {
+    prefixed(value, "J", &[(1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p"), (1e-15, "f")])
+}
+
+/// `1.5 mm/s`, `20 m/s`.
+pub(crate) fn metres_per_second(value: f64) -> String {
+    format!("{}/s", metres(value))
+}
+
+/// `10⁴`, for powers of ten; other numbers as they are.
+pub(crate) fn power_of_ten(value: f64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let exponent = value.log10();
+    if exponent < 0.0 || (exponent - exponent.round()).abs() > 1e-6 {
+        return short(value);
+    }
+    let digits = (exponent.round() as u32).to_string();
+    let raised = digits.chars().filter_map(|digit| DIGITS.get(digit.to_digit(10)? as usize));
+    format!("10{}", raised.collect::<String>())
 }

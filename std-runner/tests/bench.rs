@@ -5,7 +5,7 @@ use std::io::Write;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use hooke_runner::bench::{Bench, Point, Swept, bench, winners};
+use hooke_runner::bench::{Bench, Compared, Course, Kept, MOMENTS, Point, Swept, bench, winners};
 use hooke_runner::model::Model;
 use hooke_runner::scene::{Precision, Scene, Settings, StepperName};
 
@@ -16,7 +16,7 @@ const OSCILLATOR: &str = "duration = 3.141592653589793\n\
     [[spring]]\nbetween = [0, 1]\nstiffness = 4.0\nrest_length = 1.0\n";
 
 /// Enough for every order to show.
-const SHORT: Duration = Duration::from_millis(20);
+const SHORT: Duration = Duration::from_millis(1);
 
 fn load(toml: &str) -> (Model, Settings) {
     let mut file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
@@ -26,10 +26,15 @@ fn load(toml: &str) -> (Model, Settings) {
 }
 
 fn measured(toml: &str) -> Bench {
+    ended(toml, &AtomicBool::new(false)).expect("nobody interrupts")
+}
+
+fn ended(toml: &str, interrupted: &AtomicBool) -> Option<Bench> {
     let (model, settings) = load(toml);
-    bench(&model, &settings, SHORT, &AtomicBool::new(false), |_| ())
-        .expect("a scene that runs")
-        .expect("nobody interrupts")
+    let (model, settings, kept) = (&model, &settings, &Kept::default());
+    let compared = Compared::Throughout;
+    let course = Course { model, settings, compared, longest: SHORT, kept, is_traced: false, interrupted };
+    bench(&course, |_| ()).expect("a scene that runs")
 }
 
 fn of(bench: &Bench, stepper: StepperName, precision: Precision) -> &Swept {
@@ -45,10 +50,12 @@ fn order([coarse, fine]: [&Point; 2]) -> f64 {
 #[test]
 fn the_reference_is_the_closed_form_and_orders_are_those_of_the_steppers() {
     let bench = measured(OSCILLATOR);
-    for (checkpoint, positions) in bench.reference.positions.iter().enumerate() {
-        let phase = 2.0 * std::f64::consts::PI * (checkpoint + 1) as f64 / 4.0;
+    assert_eq!(bench.reference.states.len() as u64, MOMENTS);
+    for (moment, state) in bench.reference.states.iter().enumerate() {
+        let phase = 2.0 * std::f64::consts::PI * (moment + 1) as f64 / MOMENTS as f64;
         // Rounding, of some thousand steps at most.
-        assert!((positions[1][0] - (1.0 + 0.1 * phase.cos())).abs() < 1e-12, "{positions:?}");
+        assert!((state.positions[1][0] - (1.0 + 0.1 * phase.cos())).abs() < 1e-12, "{state:?}");
+        assert!((state.velocities[1][0] + 0.2 * phase.sin()).abs() < 1e-12, "{state:?}");
     }
     assert!(bench.reference.settled < 1e-11, "{}", bench.reference.settled);
     let (stepper, distance) = bench.reference.confirmed.unwrap();
@@ -95,6 +102,5 @@ fn who_cannot_step_a_scene_does_not_run() {
 
 #[test]
 fn interrupted_before_there_is_a_reference_there_is_nothing() {
-    let (model, settings) = load(OSCILLATOR);
-    assert!(bench(&model, &settings, SHORT, &AtomicBool::new(true), |_| ()).unwrap().is_none());
+    assert!(ended(OSCILLATOR, &AtomicBool::new(true)).is_none());
 }

@@ -68,7 +68,7 @@ fn unknown_names_name_the_nearest_and_all() {
         "`semi-implicit-euler`? ",
     );
     refuses("stepper = \"zzz\"", "`stepper`", "\"zzz\"", "\"velocity-verlet\", \"rk4\"");
-    refuses("precision = \"f16\"", "`precision`", "\"f16\"", "\"f32\", \"f64\"");
+    refuses("precision = \"f16\"", "`precision`", "\"f16\"", "\"f32\", \"f32-compensated\", \"f64\"");
     refuses("collision = \"projection\"", "`collision`", "\"projection\"", "Did you mean `project`?");
 }
 

@@ -110,7 +110,7 @@ fn wrong_flags_are_named_and_change_nothing() {
 
 #[test]
 fn names_read_back_as_they_are_written() {
-    assert_eq!(StepperName::ALL.len(), 11);
+    assert_eq!(StepperName::ALL.len(), 12);
     for &stepper in StepperName::ALL {
         assert_eq!(stepper.to_string().parse(), Ok(stepper));
         assert_eq!(stepper.to_possible_value().unwrap().get_name(), stepper.name());

@@ -6,96 +6,185 @@ use std::time::Duration;
 
 use hooke::Compensated;
 
+use super::watch::{Seen, Watch};
 use crate::model::Model;
 use crate::record::{BoxedRecorder, Frame, RecordError, Recorder, Sample};
 use crate::scene::{Precision, Settings, TimeStep};
-use crate::simulate::{Ending, Options, Progress, RunError, Stepped, run};
+use crate::simulate::{Ending, Options, Progress, RunError, Stepped, Summary, run};
 
-/// Evenly spaced times at which states are compared; the last is the end. Runs have a multiple of so many steps.
-pub const CHECKPOINTS: u64 = 4;
+/// Positions or velocities by particle number, m or m/s.
+pub type Vectors = Vec<[f64; 3]>;
 
-/// Positions by particle number, m.
-pub type Positions = Vec<[f64; 3]>;
+/// Where everything was at one time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct State {
+    /// m, by particle number.
+    pub positions: Vectors,
+    /// m/s, by particle number.
+    pub velocities: Vectors,
+}
 
 /// What a run came to.
 #[derive(Clone, Debug)]
 pub struct Probe {
-    /// At each checkpoint.
-    pub positions: Vec<Positions>,
+    /// At each checkpoint, the last at the end; without the start.
+    pub states: Vec<State>,
     /// Time spent stepping.
     pub stepping: Duration,
     /// Evaluations of all forces.
     pub force_evaluations: u64,
+    /// Newton iterations.
+    pub iterations: u64,
     /// Iterations of linear solvers, and factorisations.
     pub linear_work: u64,
+    /// What the stepper and the collision form own, bytes.
+    pub workspace: usize,
 }
 
 /// What became of it.
-pub enum Probed {
+#[derive(Clone, Debug)]
+pub enum Probed<P = Probe> {
     /// It reached the end.
-    Finished(Probe),
-    /// It left the finite numbers, or could not solve a step; after this time.
-    Diverged(Duration),
+    Finished(P),
+    /// It left the finite numbers, or could not solve a step.
+    Diverged {
+        /// Time spent until then.
+        stepping: Duration,
+        /// The simulated time that it reached, s.
+        reached: f64,
+    },
     /// It was ended from outside.
     Interrupted,
 }
 
-/// Runs a scene in so many steps, on one thread, without a ledger.
-pub fn probe(model: &Model, settings: &Settings, steps: u64, interrupted: &AtomicBool) -> Result<Probed, RunError> {
-    let settings = Settings {
-        time_step: TimeStep::Seconds(settings.duration / steps as f64),
-        frame_rate: CHECKPOINTS as f64 / settings.duration,
-        ..settings.clone()
-    };
-    match settings.precision {
-        Precision::F32 => probe_in::<f32>(model, &settings, interrupted),
-        Precision::F32Compensated => probe_in::<Compensated>(model, &settings, interrupted),
-        Precision::F64 => probe_in::<f64>(model, &settings, interrupted),
-    }
+/// Runs a scene as its settings say but in `steps` steps, with its state kept at so many evenly spaced checkpoints, on
+/// one thread and without a ledger. Checkpoints fall on steps where their number divides that of the steps; the others are
+/// interpolated.
+///
+/// # Errors
+/// If it cannot be run at all: the precision cannot hold it, say.
+pub fn probe(
+    model: &Model,
+    settings: &Settings,
+    steps: u64,
+    checkpoints: u64,
+    interrupted: &AtomicBool,
+) -> Result<Probed, RunError> {
+    let settings = in_steps(settings, steps, checkpoints);
+    let kept = Kept::default();
+    let options = Options { ledger: false, threads: Some(1), interrupted, progress: &Silent };
+    let summary = run_with(model, &settings, Keep { kept: Arc::clone(&kept), every: 1 }, &options)?;
+    Ok(ended(&summary, &kept, checkpoints))
 }
 
-fn probe_in<R: Stepped>(model: &Model, settings: &Settings, interrupted: &AtomicBool) -> Result<Probed, RunError> {
-    let kept = Arc::new(Mutex::new(Vec::new()));
-    let recorder = Keep(Arc::clone(&kept));
-    let begin = |_: &_| Ok(vec![Box::new(recorder) as BoxedRecorder<R::Coordinate>]);
-    let options = Options { ledger: false, threads: Some(1), interrupted, progress: &Silent };
-    let summary = run::<R>(model, settings, begin, &options)?;
-    let mut positions = std::mem::take(&mut *kept.lock().unwrap_or_else(PoisonError::into_inner));
-    // The start tells nothing.
-    positions.drain(..1.min(positions.len()));
-    Ok(match summary.ending {
-        Ending::Interrupted => Probed::Interrupted,
-        Ending::Finished if summary.unconverged == 0 && positions.len() as u64 == CHECKPOINTS => {
-            Probed::Finished(Probe {
-                positions,
-                stepping: summary.stepping,
-                force_evaluations: summary.force_evaluations,
-                linear_work: summary.linear_iterations + summary.factorisations,
-            })
-        }
-        _ => Probed::Diverged(summary.stepping),
+/// The same, with an energy ledger and with an eye on planes at every step: slower, and to the same bits.
+///
+/// # Errors
+/// As [`probe`].
+pub fn watched(
+    model: &Model,
+    settings: &Settings,
+    steps: u64,
+    checkpoints: u64,
+    interrupted: &AtomicBool,
+) -> Result<Probed<(Probe, Seen)>, RunError> {
+    // On planes everything happens between checkpoints.
+    let every = if model.planes.is_empty() || !steps.is_multiple_of(checkpoints) { 1 } else { steps / checkpoints };
+    let settings = in_steps(settings, steps, checkpoints * every);
+    let watch = Watch::new(model, &settings, checkpoints);
+    let kept = Kept::default();
+    let keep = Keep { kept: Arc::clone(&kept), every };
+    let options = Options { ledger: true, threads: Some(1), interrupted, progress: &watch };
+    let summary = run_with(model, &settings, (keep, watch.on_planes()), &options)?;
+    Ok(match ended(&summary, &kept, checkpoints) {
+        Probed::Finished(probe) => Probed::Finished((probe, watch.seen())),
+        Probed::Diverged { stepping, reached } => Probed::Diverged { stepping, reached },
+        Probed::Interrupted => Probed::Interrupted,
     })
 }
 
-/// The largest distance between two particles of one number at any checkpoint, m.
-pub fn distance(left: &[Positions], right: &[Positions]) -> f64 {
-    let pairs = left.iter().flatten().zip(right.iter().flatten());
-    let squares = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>());
-    // What is not a number is no small distance.
-    squares.fold(0.0, |largest: f64, square| if square.is_nan() { f64::INFINITY } else { largest.max(square) }).sqrt()
+fn in_steps(settings: &Settings, steps: u64, frames: u64) -> Settings {
+    Settings {
+        time_step: TimeStep::Seconds(settings.duration / steps as f64),
+        frame_rate: frames as f64 / settings.duration,
+        ..settings.clone()
+    }
 }
 
-struct Keep(Arc<Mutex<Vec<Positions>>>);
+/// Something that sees the frames of a run in either precision.
+pub(super) trait Eye: Send + 'static {
+    /// A frame.
+    fn see<R: Sample>(&mut self, frame: &Frame<'_, R>);
+}
 
-impl<R: Sample> Recorder<R> for Keep {
+impl<A: Eye, B: Eye> Eye for (A, B) {
+    fn see<R: Sample>(&mut self, frame: &Frame<'_, R>) {
+        self.0.see(frame);
+        self.1.see(frame);
+    }
+}
+
+fn run_with(model: &Model, settings: &Settings, eye: impl Eye, options: &Options<'_>) -> Result<Summary, RunError> {
+    fn run_in<R: Stepped>(
+        model: &Model,
+        settings: &Settings,
+        eye: impl Eye,
+        options: &Options<'_>,
+    ) -> Result<Summary, RunError> {
+        let begin = |_: &_| Ok(vec![Box::new(Looking(eye)) as BoxedRecorder<R::Coordinate>]);
+        run::<R>(model, settings, begin, options)
+    }
+    match settings.precision {
+        Precision::F32 => run_in::<f32>(model, settings, eye, options),
+        Precision::F32Compensated => run_in::<Compensated>(model, settings, eye, options),
+        Precision::F64 => run_in::<f64>(model, settings, eye, options),
+    }
+}
+
+fn ended(summary: &Summary, kept: &Kept, checkpoints: u64) -> Probed {
+    let states = std::mem::take(&mut *kept.lock().unwrap_or_else(PoisonError::into_inner));
+    match summary.ending {
+        Ending::Interrupted => Probed::Interrupted,
+        Ending::Finished if summary.unconverged == 0 && states.len() as u64 == checkpoints => Probed::Finished(Probe {
+            states,
+            stepping: summary.stepping,
+            force_evaluations: summary.force_evaluations,
+            iterations: summary.iterations,
+            linear_work: summary.linear_iterations + summary.factorisations,
+            workspace: summary.workspace,
+        }),
+        _ => Probed::Diverged { stepping: summary.stepping, reached: summary.time },
+    }
+}
+
+struct Looking<E>(E);
+
+impl<R: Sample, E: Eye> Recorder<R> for Looking<E> {
     fn record(&mut self, frame: &Frame<'_, R>) -> Result<(), RecordError> {
-        let positions = frame.position.iter().map(|position| position.map(R::to_f64)).collect();
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(positions);
+        self.0.see(frame);
         Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<(), RecordError> {
         Ok(())
+    }
+}
+
+type Kept = Arc<Mutex<Vec<State>>>;
+
+/// Keeps every so many frames, without the start.
+struct Keep {
+    kept: Kept,
+    every: u64,
+}
+
+impl Eye for Keep {
+    fn see<R: Sample>(&mut self, frame: &Frame<'_, R>) {
+        if frame.number > 0 && frame.number.is_multiple_of(self.every) {
+            let wide = |vectors: &[[R; 3]]| vectors.iter().map(|vector| vector.map(R::to_f64)).collect();
+            let state = State { positions: wide(frame.position), velocities: wide(frame.velocity) };
+            self.kept.lock().unwrap_or_else(PoisonError::into_inner).push(state);
+        }
     }
 }
 

@@ -38,15 +38,24 @@ Warnings do not change the exit code: 0 if the scene can be run, 2 if it is wron
 
 const BENCH_EXAMPLES: &str = "\
 Examples:
-  hooke bench cloth.toml                        which stepper is fastest for each error
-  hooke bench cloth.toml --out cloth.csv        and a row for each run
-  hooke bench cloth.toml --duration 0.2         over a shorter time
+  hooke bench cloth.toml                                    which stepper is fastest for each error
+  hooke bench cloth.toml rope.toml --out bench.html         a page to show, with diagrams
+  hooke bench cloth.toml --out cloth.svg --out cloth.csv    the work-precision diagram, and a row for each run
+  hooke bench cloth.toml --duration 0.2                     over a shorter time
+  hooke bench cloth.toml --out runs.csv --resume runs.csv   go on where it was interrupted
+  hooke bench benches/scenes/cloth-32.toml --against benches/results/peers.csv --out peers.svg
 
-Every stepper runs the scene in both precisions, with time steps from 0.9 of its stability bound down to where shorter ones
-gain nothing. The error is the largest distance of any particle, at four times, from DOP853 in f64 with so many steps that
-more change nothing. Times are of one thread, the shortest of several runs, without recording.
+Every stepper runs each scene in every precision, and with every form of collision where there are planes, with time steps
+from 0.9 of its stability bound down to where shorter ones gain nothing. The error is the largest distance of any particle,
+at sixteen times, from DOP853 in f64 with so many steps that more change nothing, confirmed by another method. Times are of one
+thread, the shortest of up to 20 runs, without recording. At the end all run once more, in turns, and those that may win six times.
 
-Ctrl-C ends it; the steppers that have been measured are told.
+CSV has a row for each run: its errors in position (m), velocity (m/s), energy (J), time of bounces (s), depth in planes (m);
+the part of the duration that it survived; seconds, force evaluations, Newton iterations, iterations of linear solvers and
+factorisations, and bytes of workspace. A run that diverged has no errors.
+
+Ctrl-C ends it, and what was measured by then is told and written; a second one ends it at once. --resume takes from a table
+the runs of the same scene, program and machine: its stamp says which.
 Exit codes: 0 done, 1 the measurement failed, 2 the input is wrong, 130 interrupted.";
 
 const NEW_EXAMPLES: &str = "\
@@ -114,11 +123,18 @@ pub(super) struct CheckArguments {
 
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct BenchArguments {
-    /// The scene file, TOML or JSON.
-    pub(super) scene: PathBuf,
-    /// Where to write a row for each run, as CSV; - is standard output.
+    /// The scene files, TOML or JSON.
+    #[arg(required = true, value_name = "SCENE")]
+    pub(super) scenes: Vec<PathBuf>,
+    /// Where to write to; the ending says what: .csv a row for each run, .svg the work-precision diagram, .html a page with everything. Repeat it for more than one; - is CSV to standard output.
     #[arg(short, long, value_name = "FILE")]
-    pub(super) out: Option<PathBuf>,
+    pub(super) out: Vec<PathBuf>,
+    /// A table of an earlier measurement: its runs are not made again, as far as they are of the same scene, program and machine.
+    #[arg(long, value_name = "FILE.csv")]
+    pub(super) resume: Option<PathBuf>,
+    /// A table of other engines and solvers, as benches/peers/run writes it: those that ran a scene of the same file name are put on its axes. Errors are then those at the end, as theirs are.
+    #[arg(long, value_name = "FILE.csv")]
+    pub(super) against: Option<PathBuf>,
     /// The first run of a stepper that takes longer is its last.
     #[arg(long, value_name = "SECONDS", default_value_t = 0.5)]
     pub(super) longest: f64,

@@ -1,5 +1,6 @@
 //! Columns on the heap, for scenes of any size.
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use hooke::{Column, Full, Storage};
@@ -29,6 +30,17 @@ const STAGGER: usize = 320;
 
 /// Places in a page that have been given out.
 static PLACES: AtomicUsize = AtomicUsize::new(0);
+
+thread_local! {
+    /// Of all items that columns were filled with on this thread. What becomes of a column later does not lessen it.
+    static FILLED: Cell<usize> = const { Cell::new(0) };
+}
+
+/// The bytes of all items that columns were filled with on this thread so far: what lies between two looks at it is what
+/// was asked for in between.
+pub(super) fn bytes_filled() -> usize {
+    FILLED.get()
+}
 
 impl Storage for Heap {
     type Particles<T: Copy> = HeapColumn<T>;
@@ -65,6 +77,7 @@ impl<T: Copy> Column<T> for HeapColumn<T> {
             self.grow(self.items().len() + 1, item);
         }
         self.items.push(item);
+        FILLED.set(FILLED.get() + size_of::<T>());
         Ok(())
     }
 
@@ -76,6 +89,7 @@ impl<T: Copy> Column<T> for HeapColumn<T> {
             if self.start + length > self.items.capacity() {
                 self.grow(length, T::default());
             }
+            FILLED.set(FILLED.get() + size_of::<T>() * length.saturating_sub(self.items().len()));
             self.items.resize(self.start + length, T::default());
         }
         Ok(())

@@ -1,5 +1,6 @@
 //! A model stepped through its duration, frame by frame.
 
+mod audit;
 mod build;
 mod frames;
 mod heap;

@@ -1,13 +1,15 @@
 //! The run itself: step, record, repeat.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use hooke::{Ledger, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
+use hooke::{Balance, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
 
 use super::Stepped;
+use super::audit::Audit;
 use super::build::{BuildError, HeapWorld, world_with};
 use super::frames::Frames;
+use super::heap::bytes_filled;
 use super::method::{AnyResponse, AnyStepper};
 use super::schedule::{MOST, Schedule};
 use super::summary::{Ending, Summary};
@@ -34,6 +36,12 @@ pub struct Options<'a> {
 pub trait Progress: Sync {
     /// It has reached this time (s) of `duration`.
     fn reached(&self, time: f64, duration: f64);
+
+    /// Where a ledger is kept: its balance at this time (s), which is made up only if it is asked for.
+    fn balanced(&self, _time: f64, _balance: &mut dyn FnMut() -> Balance) {}
+
+    /// Where a ledger is kept: when hits of particles with springs have cut the last step, s, if any have.
+    fn cut(&self, _times: &mut dyn Iterator<Item = f64>) {}
 }
 
 /// Why a run could not be made.
@@ -123,11 +131,11 @@ pub fn run<R: Stepped>(
     let recorders = begin(&start).map_err(RunError::Begin)?;
     let mut run = Run {
         frames: Frames::new(start.schedule, recorders, model.particles.len()).map_err(RunError::Thread)?,
-        summary: summary(start),
+        summary: Summary::before(start),
         method: Method {
             stepper: AnyStepper::named(settings.stepper, settings.tolerance),
             response: AnyResponse::named(settings.collision),
-            ledger: options.ledger.then(|| Ledger::open(&world.view())),
+            audit: options.ledger.then(|| Audit::open(&world.view())),
         },
         threads: threads.as_ref(),
     };
@@ -147,44 +155,14 @@ pub fn run<R: Stepped>(
     let view = world.view();
     run.summary.time = view.time();
     run.summary.islands_asleep = view.plan().islands_asleep;
-    run.summary.balance = run.method.ledger.map(|ledger| ledger.balance(&view));
+    run.summary.balance = run.method.audit.map(|audit| audit.balance(&view));
     Ok(run.summary)
-}
-
-fn summary(start: Start) -> Summary {
-    Summary {
-        ending: Ending::Finished,
-        time: 0.0,
-        schedule: start.schedule,
-        steps: 0,
-        frames: 0,
-        plan: start.plan,
-        threads: 1,
-        bound: start.bound,
-        time_step: start.time_step,
-        choices: Vec::new(),
-        stepping: Duration::ZERO,
-        waiting: Duration::ZERO,
-        recording: Duration::ZERO,
-        balance: None,
-        islands_asleep: 0,
-        hits: 0,
-        capped: 0,
-        degenerate_springs: 0,
-        force_evaluations: 0,
-        iterations: 0,
-        linear_iterations: 0,
-        factorisations: 0,
-        linear_solver: start.linear_solver,
-        unconverged: 0,
-        residual: 0.0,
-    }
 }
 
 struct Method<R: Stepped> {
     stepper: AnyStepper<R>,
     response: AnyResponse<R>,
-    ledger: Option<Ledger>,
+    audit: Option<Audit>,
 }
 
 struct Run<'a, R: Stepped> {
@@ -196,6 +174,18 @@ struct Run<'a, R: Stepped> {
 
 impl<R: Stepped> Run<'_, R> {
     fn steps(&mut self, world: &mut HeapWorld<R>, tracks: &Tracks<'_>, options: &Options<'_>) -> Result<(), Stopped> {
+        let held = bytes_filled();
+        let stepped = self.all_steps(world, tracks, options);
+        self.summary.workspace = bytes_filled().saturating_sub(held);
+        stepped
+    }
+
+    fn all_steps(
+        &mut self,
+        world: &mut HeapWorld<R>,
+        tracks: &Tracks<'_>,
+        options: &Options<'_>,
+    ) -> Result<(), Stopped> {
         let schedule = self.summary.schedule;
         self.frames.begin(&world.view())?;
         for step in 1..=schedule.steps() {
@@ -216,7 +206,12 @@ impl<R: Stepped> Run<'_, R> {
             }
             self.summary.steps += 1;
             self.frames.after_step(&world.view(), step)?;
-            options.progress.reached(schedule.step_end(step), schedule.step_end(schedule.steps()));
+            let time = schedule.step_end(step);
+            options.progress.reached(time, schedule.step_end(schedule.steps()));
+            if let Some(audit) = &mut self.method.audit {
+                options.progress.cut(&mut audit.cuts());
+                options.progress.balanced(time, &mut || audit.balance(&world.view()));
+            }
         }
         Ok(())
     }
@@ -274,8 +269,8 @@ impl<R: Stepped> Method<R> {
         ) -> Result<StepReport, StepError> {
             view.step_to(stepper, response, length, end, observer)
         }
-        match &mut self.ledger {
-            Some(ledger) => take(view, &mut self.stepper, &mut self.response, length, end, ledger),
+        match &mut self.audit {
+            Some(audit) => take(view, &mut self.stepper, &mut self.response, length, end, audit),
             None => take(view, &mut self.stepper, &mut self.response, length, end, &mut ()),
         }
     }

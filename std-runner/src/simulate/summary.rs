@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use hooke::{Balance, Choice, LinearSolver, Plan, StabilityBound, StepError};
 
+use super::run::Start;
 use super::schedule::Schedule;
 
 /// How a run ended.
@@ -73,11 +74,45 @@ pub struct Summary {
     pub linear_solver: Option<LinearSolver>,
     /// Steps whose equation was not solved to the tolerance.
     pub unconverged: u64,
+    /// What the stepper and the collision form own besides the world, bytes.
+    pub workspace: usize,
     /// The largest relative residual of any step.
     pub residual: f64,
 }
 
 impl Summary {
+    /// Before the first step.
+    pub(super) fn before(start: Start) -> Self {
+        Self {
+            ending: Ending::Finished,
+            time: 0.0,
+            schedule: start.schedule,
+            steps: 0,
+            frames: 0,
+            plan: start.plan,
+            threads: 1,
+            bound: start.bound,
+            time_step: start.time_step,
+            choices: Vec::new(),
+            stepping: Duration::ZERO,
+            waiting: Duration::ZERO,
+            recording: Duration::ZERO,
+            balance: None,
+            islands_asleep: 0,
+            hits: 0,
+            capped: 0,
+            degenerate_springs: 0,
+            force_evaluations: 0,
+            iterations: 0,
+            linear_iterations: 0,
+            factorisations: 0,
+            linear_solver: start.linear_solver,
+            unconverged: 0,
+            workspace: 0,
+            residual: 0.0,
+        }
+    }
+
     /// Whether the run is what was asked for.
     #[must_use]
     pub fn succeeded(&self) -> bool {

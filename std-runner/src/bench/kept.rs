@@ -1,0 +1,28 @@
+//! Points of an earlier measurement that still hold.
+
+use std::collections::HashMap;
+
+use super::contender::Contender;
+use super::point::Point;
+
+/// What was measured before.
+#[derive(Clone, Debug, Default)]
+pub struct Kept(HashMap<(Contender, u64), Point>);
+
+impl Kept {
+    /// How many points.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    pub(super) fn find(&self, contender: Contender, steps: u64) -> Option<Point> {
+        self.0.get(&(contender, steps)).copied()
+    }
+}
+
+impl FromIterator<(Contender, Point)> for Kept {
+    fn from_iter<I: IntoIterator<Item = (Contender, Point)>>(points: I) -> Self {
+        Self(points.into_iter().map(|(contender, point)| ((contender, point.steps), point)).collect())
+    }
+}

@@ -1,0 +1,76 @@
+//! How far a measurement is, on a terminal.
+
+use std::cell::Cell;
+use std::io::{IsTerminal, stderr};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::bench::{Contender, News, Swept};
+use crate::units::{count, metres, seconds};
+
+/// Between two turns of the sign that it goes on.
+const TURN: Duration = Duration::from_millis(120);
+
+/// A bar that counts contenders, with a line above it for each that is done; nothing where nobody looks.
+pub(super) struct Told {
+    bar: Option<ProgressBar>,
+    runs: Cell<u32>,
+    contender: Cell<Option<Contender>>,
+}
+
+impl Told {
+    pub(super) fn new(scene: &str) -> Self {
+        let bar = stderr().is_terminal().then(|| {
+            let bar = ProgressBar::with_draw_target(Some(1), ProgressDrawTarget::stderr());
+            let style = ProgressStyle::with_template("{spinner} {prefix}  {bar:30} {pos}/{len}  {msg}");
+            bar.enable_steady_tick(TURN);
+            bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())).with_prefix(scene.to_owned())
+        });
+        Self { bar, runs: Cell::new(0), contender: Cell::new(None) }
+    }
+
+    pub(super) fn tell(&self, news: News<'_>) {
+        let Some(bar) = &self.bar else { return };
+        match news {
+            News::Reference => bar.set_message("making a reference"),
+            News::Begins(contender, number, of) => {
+                bar.set_length(of as u64);
+                bar.set_position(number as u64 - 1);
+                bar.set_message(contender.to_string());
+                self.runs.set(0);
+                self.contender.set(Some(contender));
+            }
+            News::Point(point) => {
+                self.runs.set(self.runs.get() + 1);
+                let contender = self.contender.get().map_or_else(String::new, |contender| contender.to_string());
+                bar.set_message(format!(
+                    "{contender}: {} runs, the last of {} steps",
+                    self.runs.get(),
+                    count(point.steps)
+                ));
+            }
+            News::Swept(swept) => bar.println(format!("  {}", best(swept))),
+            News::Finish => bar.set_message("all run once more, and those that may win several times"),
+            News::Traces => bar.set_message("error and energy over time"),
+        }
+    }
+
+    /// Takes it off the terminal.
+    pub(super) fn clear(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// A contender's best.
+fn best(swept: &Swept) -> String {
+    let Swept { contender, points } = swept;
+    let runs = points.len();
+    let reached = points.iter().filter_map(|point| Some((point.error?, point.seconds)));
+    match reached.min_by(|(left, _), (right, _)| left.total_cmp(right)) {
+        Some((error, time)) => format!("{contender}: {runs} runs, down to {} in {}", metres(error), seconds(time)),
+        None => format!("{contender}: {runs} runs, all of which diverged"),
+    }
+}
