@@ -58,8 +58,10 @@ fn a_measurement_is_taken_up_again_where_it_still_holds() {
     let before = rows(&folder, "runs.csv");
     let again = [&go[..], &["--resume", "runs.csv"]].concat();
     folder.hooke(&again).exits(0).tells(&[&format!("{} runs of runs.csv still hold", before.len() - 1)]);
-    // The times too, to the last digit: nothing was measured again.
-    assert_eq!(before, rows(&folder, "runs.csv"));
+    // The times too, to the last digit: nothing was measured again. A run that came out a little shorter than --longest when
+    // it was repeated may be followed by one more.
+    let holds = |kept: &[Vec<String>], after: &[Vec<String>]| kept.iter().all(|row| after.contains(row));
+    assert!(holds(&before, &rows(&folder, "runs.csv")));
 
     // Half of them lost: the other half is kept as it is.
     let text = fs::read_to_string(folder.file("runs.csv")).unwrap();
@@ -67,7 +69,8 @@ fn a_measurement_is_taken_up_again_where_it_still_holds() {
     fs::write(folder.file("half.csv"), half.join("\n") + "\n").unwrap();
     folder.hooke(&[&go[..], &["--resume", "half.csv"]].concat()).exits(0);
     let after = rows(&folder, "runs.csv");
-    assert_eq!(before[..before.len() / 2], after[..before.len() / 2]);
+    assert!(holds(&before[..before.len() / 2], &after));
+    assert!(!holds(&before, &after), "times of runs that were measured anew");
 
     // Another scene: nothing of it holds.
     let other = [&again[..], &["--duration", "0.11"]].concat();
