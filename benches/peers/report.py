@@ -7,7 +7,7 @@ import platform
 import subprocess
 import tomllib
 
-from peers import ACCURACY_SCENES, FRAME, FRAME_SCENE, SPRING_SCENES, TIME_STEP
+from peers import ACCURACY_SCENES, FRAME, FRAME_SCENE, SAME, SPRING_SCENES, TIME_STEP
 from workers import HERE, MADE
 
 PACKAGES = {
@@ -19,6 +19,8 @@ PACKAGES = {
     "newton": ["newton", "warp-lang"],
     "mujoco": ["mujoco"],
 }
+ERRORS = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]
+"""m"""
 CRATES = {"textbook": "glam", "ode_solvers": "ode_solvers", "diffsol": "diffsol", "rapier3d": "rapier3d"}
 
 
@@ -68,7 +70,7 @@ def versions(rows):
 
 
 def text(rows, date, machine, versions):
-    parts = [heading(date, machine, versions), references, springs, accuracy, frames, absent]
+    parts = [heading(date, machine, versions), references, springs, accuracy, ahead, frames, absent]
     made = [part if isinstance(part, str) else part(rows) for part in parts]
     return "\n".join(part for part in made if part)
 
@@ -159,6 +161,30 @@ def accuracy(rows):
         cells = [curve([row for row in rows if row.peer == peer and row.scene == scene]) for scene in scenes]
         lines.append([name(peer), *cells])
     return "## Accuracy per second: CPU ms to t = 1 s / largest position error there, m\n" + table(["", *scenes], lines)
+
+
+def fastest(rows, is_ours, error):
+    """Whose median time is the shortest of those of the same equation whose error is no larger."""
+    good = [row for row in rows if is_ours(row) and row.repeats and row.peer.equation == SAME and row.error <= error]
+    return min(good, key=lambda row: row.median, default=None)
+
+
+def ahead(rows):
+    """Hooke and the fastest of the others at each error."""
+    rows = [row for row in rows if row.table == "accuracy"]
+    lines = []
+    for scene in ACCURACY_SCENES:
+        of_scene = [row for row in rows if row.scene == scene]
+        for error in ERRORS:
+            ours = fastest(of_scene, lambda row: row.peer.family == "hooke", error)
+            others = fastest(of_scene, lambda row: row.peer.family != "hooke", error)
+            if ours and others:
+                found = [f"{row.peer.label}, {figure(row.median)} ms" for row in (ours, others)]
+                lines.append([scene, f"{error:.0e}", *found, figure(others.median / ours.median)])
+    if not lines:
+        return ""
+    header = ["scene", "error, m", "Hooke's fastest", "the fastest of the others", "times"]
+    return "## Fastest to reach an error at t = 1 s\n" + table(header, lines)
 
 
 def frames(rows):

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use hooke::{Project, Real};
+use hooke::{Compensated, Project, Real};
 use hooke_runner::model::Model;
 use hooke_runner::scene::{Scene, StepperName};
 use hooke_runner::simulate::{AnyStepper, world};
@@ -24,6 +24,7 @@ pub fn new(variant: &str, scene: &Scene) -> Result<Box<dyn Peer>, Box<dyn Error>
     let (stepper, precision) = variant.split_once(':').ok_or("hooke:STEPPER:PRECISION")?;
     let run = match precision {
         "f32" => run::<f32>,
+        "f32-compensated" => run::<Compensated>,
         "f64" => run::<f64>,
         _ => return Err(format!("no precision is called {precision}").into()),
     };
@@ -38,7 +39,7 @@ impl Peer for Hooke {
 
 fn run<R: Real>(hooke: &Hooke, request: &Request) -> Result<Outcome, Box<dyn Error>>
 where
-    f64: From<R>,
+    f64: From<R::Coordinate>,
 {
     let mut world = world::<R>(&hooke.model, hooke.gravity)?;
     let mut stepper = AnyStepper::named(hooke.stepper, TOLERANCE);
