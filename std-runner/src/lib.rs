@@ -10,4 +10,5 @@ pub mod record;
 pub mod report;
 pub mod scene;
 pub mod simulate;
+pub mod stress;
 mod units;

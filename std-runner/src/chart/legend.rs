@@ -1,11 +1,11 @@
 //! What the marks and lines of a chart mean.
 
 use plotters::coord::Shift;
-use plotters::prelude::{DrawingArea, SVGBackend, Text};
+use plotters::prelude::{DrawingArea, Rectangle, SVGBackend, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, IntoTextStyle};
 
-use super::look::Look;
+use super::look::{Colour, Look};
 use super::mark::{line, mark, ring};
 use super::sheet::{Drawn, FONT, INK, SCALE};
 
@@ -18,6 +18,8 @@ pub enum Entry {
     Curve(Look, String),
     /// A point with a ring around it.
     Ringed(String),
+    /// A cell of that colour.
+    Cell(Colour, String),
 }
 
 /// From one line to the next.
@@ -31,7 +33,9 @@ const LETTER: i32 = 8 * SCALE;
 /// How wide a legend of such entries is.
 pub(super) fn width(entries: &[Entry]) -> i32 {
     let letters = |entry: &Entry| match entry {
-        Entry::Heading(text) | Entry::Curve(_, text) | Entry::Ringed(text) => text.chars().count() as i32,
+        Entry::Heading(text) | Entry::Curve(_, text) | Entry::Ringed(text) | Entry::Cell(_, text) => {
+            text.chars().count() as i32
+        }
     };
     entries.iter().map(letters).max().map_or(0, |most| INDENT + LETTER * most)
 }
@@ -53,6 +57,11 @@ pub(super) fn draw(area: &DrawingArea<SVGBackend<'_>, Shift>, entries: &[Entry])
             Entry::Curve(look, name) => {
                 line(area, vec![(4 * SCALE, y), (INDENT - 8 * SCALE, y)], look)?;
                 mark(area, (INDENT / 2 - 2 * SCALE, y), look)?;
+                text(name, INDENT, 16)?;
+            }
+            Entry::Cell(colour, name) => {
+                let corners = [(10 * SCALE, y - 7 * SCALE), (INDENT - 14 * SCALE, y + 7 * SCALE)];
+                area.draw(&Rectangle::new(corners, colour.filled()))?;
                 text(name, INDENT, 16)?;
             }
             Entry::Ringed(name) => {

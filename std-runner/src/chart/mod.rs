@@ -6,12 +6,14 @@ mod axis;
 mod legend;
 mod look;
 mod mark;
+mod mosaic;
 mod plot;
 mod sheet;
 
 pub use axis::{Axis, Scale};
 pub use legend::Entry;
 pub use look::{Colour, Dash, GREY, Look, Shape, colour, grey};
+pub use mosaic::{Mosaic, Mosaics};
 pub use sheet::{ChartError, GRID, INK, PAPER, Sheet};
 
 /// Points that belong together, joined in their order.

@@ -28,6 +28,12 @@ const HEIGHT: i32 = 440;
 #[error("a chart cannot be drawn: {0}")]
 pub struct ChartError(String);
 
+impl From<String> for ChartError {
+    fn from(reason: String) -> Self {
+        Self(reason)
+    }
+}
+
 /// What came of drawing something.
 pub(super) type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 

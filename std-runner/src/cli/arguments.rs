@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
-use crate::scene::{Overrides, Starter};
+use crate::scene::{Overrides, Starter, StepperName};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -58,6 +58,26 @@ Ctrl-C ends it, and what was measured by then is told and written; a second one 
 the runs of the same scene, program and machine: its stamp says which.
 Exit codes: 0 done, 1 the measurement failed, 2 the input is wrong, 130 interrupted.";
 
+const STRESS_EXAMPLES: &str = "\
+Examples:
+  hooke stress cloth.toml                            the largest stable time steps, and the battery
+  hooke stress cloth.toml --out cloth.html           and a page with the map of stability
+  hooke stress *.toml --out all.csv --out map.svg    every figure, and the maps alone
+  hooke stress cloth.toml --stepper velocity-verlet  one stepper
+
+The largest stable time step is found by bisection: a small change of the start is followed through thousands of steps, with
+gravity and planes left out, and buckling, which is no fault of a stepper. Beside it stand the bound from each particle's
+springs, which `hooke check` has, and what theory makes of the measured highest frequency and its damping.
+
+The map shows what becomes of such a change over time step, stiffness and damping, and where the scene itself explodes.
+
+The battery makes the scene, and bodies with a known motion, hard to step: stiffness and mass ratios up to 1e9, springs
+without length, time steps from 1e-9 to 10 s, a million metres from the origin, endless bounces, numbers next to 0. Every run
+is judged against something that the stepper has no part in: a closed form, an invariance, or DOP853 in f64.
+
+Ctrl-C ends it; what has been measured is told.
+Exit codes: 0 done, 1 a run went wrong in silence, which is a defect of Hooke, 2 the input is wrong, 130 interrupted.";
+
 const NEW_EXAMPLES: &str = "\
 Examples:
   hooke new cloth                 writes cloth.toml
@@ -83,6 +103,9 @@ pub(super) enum Verb {
     /// Measure every stepper on a scene: run time against error.
     #[command(after_help = BENCH_EXAMPLES)]
     Bench(BenchArguments),
+    /// Measure numerical stability: largest stable time steps, what happens past them, and a battery of hard cases.
+    #[command(after_help = STRESS_EXAMPLES)]
+    Stress(StressArguments),
     /// Write a scene to start from.
     #[command(after_help = NEW_EXAMPLES)]
     New(NewArguments),
@@ -140,6 +163,25 @@ pub(super) struct BenchArguments {
     pub(super) longest: f64,
     #[command(flatten, next_help_heading = "In place of what the scene says")]
     pub(super) overrides: Overrides,
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct StressArguments {
+    /// The scene files, TOML or JSON.
+    #[arg(required = true, value_name = "SCENE")]
+    pub(super) scenes: Vec<PathBuf>,
+    /// Where to write to; the ending says what: .csv (all figures), .svg (the map) or .html (all on one page). Repeat it for more than one; - is CSV to standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) out: Vec<PathBuf>,
+    /// Only this stepper; repeat it for more than one. Default: all, and semi-implicit-euler on the map.
+    #[arg(long, value_name = "NAME")]
+    pub(super) stepper: Vec<StepperName>,
+    /// A run of the battery that takes longer is ended. Default: 2, or 120 with --thorough.
+    #[arg(long, value_name = "SECONDS")]
+    pub(super) longest: Option<f64>,
+    /// Take 100 times as many steps in the battery's runs of a scene, and up to 10 million where drift is looked for. This takes hours.
+    #[arg(long)]
+    pub(super) thorough: bool,
 }
 
 #[derive(Clone, Debug, clap::Args)]

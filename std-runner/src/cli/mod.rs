@@ -4,6 +4,7 @@ mod arguments;
 mod bench;
 mod check;
 mod failure;
+mod figures;
 mod format;
 mod interrupt;
 mod new;
@@ -12,6 +13,7 @@ mod print;
 mod progress;
 mod run;
 mod scene;
+mod stress;
 mod table;
 mod told;
 
@@ -51,6 +53,7 @@ impl Arguments {
             Verb::Run(run) => run::run(&run),
             Verb::Check(check) => check::check(&check),
             Verb::Bench(bench) => bench::bench(&bench),
+            Verb::Stress(stress) => stress::stress(&stress),
             Verb::New(new) => new::new(&new),
             Verb::Schema => print::data(crate::scene::schema() + "\n"),
             Verb::Completions { shell } => {

@@ -1,6 +1,6 @@
 //! `hooke bench`: run time against error.
 
-mod outputs;
+mod figures;
 mod progress;
 mod told;
 
@@ -10,13 +10,13 @@ use std::time::Duration;
 use super::Outcome;
 use super::arguments::BenchArguments;
 use super::failure::Failure;
+use super::figures::Outputs;
 use super::interrupt;
 use super::print;
 use super::scene::{Loaded, out_of_range};
 use crate::bench::{Bench, Compared, Course, Kept, PEERS_RUN, Peer, Stamp, bench as measure, kept, peers};
 use crate::simulate::RunError;
 use crate::units::{count, counted};
-use outputs::Outputs;
 use progress::Told;
 
 pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
@@ -56,12 +56,12 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
         let is_interrupted = measured.interrupted;
         benches.push(measured);
         // After each scene, so that what is done is safe.
-        outputs.write(&benches)?;
+        outputs.write(benches.as_slice())?;
         if is_interrupted {
             break;
         }
     }
-    outputs.write_to_standard_output(&benches)?;
+    outputs.write_to_standard_output(benches.as_slice())?;
     let is_whole = benches.len() == scenes.len() && benches.iter().all(|bench| !bench.interrupted);
     Ok(if is_whole { Outcome::Done } else { Outcome::Interrupted })
 }

@@ -1,20 +1,29 @@
 //! Where measurements go: the ending picks the form.
 
+use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::bench::{Bench, write_rows};
+use super::failure::Failure;
+use super::outputs::{check_place, is_standard_output};
+use super::print;
 use crate::chart::ChartError;
-use crate::cli::failure::Failure;
-use crate::cli::outputs::{check_place, is_standard_output};
-use crate::cli::print;
-use crate::report::{Work, bench_page, work_precision};
+
+/// Measurements in every form that they can be written in.
+pub(super) trait Figures {
+    /// As CSV.
+    fn table(&self) -> Result<Vec<u8>, Box<dyn Error>>;
+    /// As SVG.
+    fn picture(&self) -> Result<String, ChartError>;
+    /// As HTML.
+    fn page(&self) -> Result<String, ChartError>;
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
-    /// A row for each run.
+    /// A row for each figure.
     Table,
-    /// The work-precision diagram.
+    /// What is to be seen at a glance.
     Picture,
     /// Everything, to show.
     Page,
@@ -53,8 +62,14 @@ impl Outputs {
         Ok(outputs)
     }
 
+    /// Whether anything is written that shows everything.
     pub(super) fn has_page(&self) -> bool {
         self.files.iter().any(|(_, form)| *form == Form::Page)
+    }
+
+    /// Whether anything is written that shows pictures.
+    pub(super) fn has_pictures(&self) -> bool {
+        self.files.iter().any(|(_, form)| *form != Form::Table)
     }
 
     /// A report, beside the data.
@@ -68,14 +83,12 @@ impl Outputs {
     }
 
     /// Every file, with what there is.
-    pub(super) fn write(&self, benches: &[Bench]) -> Result<(), Failure> {
+    pub(super) fn write(&self, figures: &(impl Figures + ?Sized)) -> Result<(), Failure> {
         for (path, form) in &self.files {
             let text = match form {
-                Form::Table => table(benches)?,
-                Form::Picture => {
-                    work_precision(benches, Work::Time).svg().map_err(|error| undrawn(&error))?.into_bytes()
-                }
-                Form::Page => bench_page(benches).map_err(|error| undrawn(&error))?.html().into_bytes(),
+                Form::Table => table(figures)?,
+                Form::Picture => figures.picture().map_err(|error| undrawn(&error))?.into_bytes(),
+                Form::Page => figures.page().map_err(|error| undrawn(&error))?.into_bytes(),
             };
             fs::write(path, text).map_err(|error| {
                 let message = format!("cannot write {}: {error}", path.display());
@@ -85,9 +98,10 @@ impl Outputs {
         Ok(())
     }
 
-    pub(super) fn write_to_standard_output(&self, benches: &[Bench]) -> Result<(), Failure> {
+    /// The table, where it was asked for.
+    pub(super) fn write_to_standard_output(&self, figures: &(impl Figures + ?Sized)) -> Result<(), Failure> {
         if self.to_standard_output {
-            print::data(table(benches)?)?;
+            print::data(table(figures)?)?;
         }
         Ok(())
     }
@@ -102,12 +116,10 @@ fn form(path: &Path) -> Option<Form> {
     }
 }
 
-fn table(benches: &[Bench]) -> Result<Vec<u8>, Failure> {
-    let mut text = Vec::new();
-    write_rows(benches, &mut text).map_err(|error| Failure::failed(error.to_string(), "tell the authors of Hooke"))?;
-    Ok(text)
+fn table(figures: &(impl Figures + ?Sized)) -> Result<Vec<u8>, Failure> {
+    figures.table().map_err(|error| Failure::failed(error.to_string(), "tell the authors of Hooke"))
 }
 
 fn undrawn(error: &ChartError) -> Failure {
-    Failure::failed(error.to_string(), "write the table alone: --out runs.csv")
+    Failure::failed(error.to_string(), "write the table alone: --out figures.csv")
 }
