@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Lanes, SixColumns};
+use crate::lanes::{self, Present, SixColumns};
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, difference, fetch, lend, split, triples, triples_mut};
 
 /// Three columns and their residuals, read.
@@ -82,7 +82,7 @@ impl<'a, R: Real> CarriedMut<'a, R> {
     #[inline(always)]
     pub fn add<I: Iterator<Item = F>, F: Fn([R; 3]) -> [R; 3]>(
         self,
-        lanes: Lanes,
+        lanes: Present,
         from: Carried<'_, R>,
         increments: I,
     ) -> bool {

@@ -49,6 +49,22 @@ impl Lanes {
     }
 }
 
+/// A set of instructions that the machine has been found to have: asked once, not for every loop.
+#[derive(Clone, Copy, Debug)]
+pub struct Present(Lanes);
+
+impl Present {
+    /// The widest that there is, up to `most`.
+    pub fn up_to(most: Lanes) -> Self {
+        Self(most.min(Lanes::widest()))
+    }
+
+    /// No wider than `most`.
+    pub fn at_most(self, most: Lanes) -> Self {
+        Self(self.0.min(most))
+    }
+}
+
 /// A loop that is worth vector instructions.
 pub trait Kernel {
     /// What it returns.
@@ -58,18 +74,18 @@ pub trait Kernel {
     fn run(self, set: impl Set) -> Self::Output;
 }
 
-/// Runs a kernel on the widest lanes that there are, up to `most`.
+/// Runs a kernel on these lanes.
 #[inline]
-pub fn run<K: Kernel>(most: Lanes, kernel: K) -> K::Output {
+pub fn run<K: Kernel>(lanes: Present, kernel: K) -> K::Output {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    match most.min(Lanes::widest()) {
-        // SAFETY: `widest` has found the instructions that the function is compiled for.
+    match lanes.0 {
+        // SAFETY: `up_to` has found the instructions that the function is compiled for.
         Lanes::Avx512 => return unsafe { avx512(kernel) },
         // SAFETY: likewise.
         Lanes::Avx2 => return unsafe { avx2(kernel) },
         Lanes::Baseline => {}
     }
-    let _ = most;
+    let _ = lanes;
     kernel.run(Whole)
 }
 
@@ -83,11 +99,11 @@ pub trait SixColumns<R, S = R> {
     fn run(self, a: &mut [R], b: &mut [R], c: &mut [R], d: &mut [S], e: &mut [S], f: &mut [S]) -> Self::Output;
 }
 
-/// Runs a loop on six columns on the widest lanes that there are, up to `most`.
+/// Runs a loop on six columns on these lanes.
 #[allow(clippy::too_many_arguments, reason = "an array of them would hide that they do not overlap")]
 #[inline(always)]
 pub fn run_on_six<R, S, K: SixColumns<R, S>>(
-    most: Lanes,
+    lanes: Present,
     kernel: K,
     a: &mut [R],
     b: &mut [R],
@@ -97,14 +113,14 @@ pub fn run_on_six<R, S, K: SixColumns<R, S>>(
     f: &mut [S],
 ) -> K::Output {
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    match most.min(Lanes::widest()) {
-        // SAFETY: `widest` has found the instructions that the function is compiled for.
+    match lanes.0 {
+        // SAFETY: `up_to` has found the instructions that the function is compiled for.
         Lanes::Avx512 => return unsafe { avx512_on_six(kernel, a, b, c, d, e, f) },
         // SAFETY: likewise.
         Lanes::Avx2 => return unsafe { avx2_on_six(kernel, a, b, c, d, e, f) },
         Lanes::Baseline => {}
     }
-    let _ = most;
+    let _ = lanes;
     baseline_on_six(kernel, a, b, c, d, e, f)
 }
 

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel, Lanes, Set};
+use crate::lanes::{self, Kernel, Present, Set};
 use crate::rounding::rounding;
 use crate::types::Plane;
 use crate::vectors::{Columns, read, triples, window};
@@ -24,12 +24,12 @@ pub struct Reach<R> {
 
 impl<R: Real> Reach<R> {
     /// Of particles that stay where they are.
-    pub fn at(lanes: Lanes, position: Columns<'_, R>, slots: Range<u32>) -> Self {
+    pub fn at(lanes: Present, position: Columns<'_, R>, slots: Range<u32>) -> Self {
         lanes::run(lanes, Enclose(window(position, slots)))
     }
 
     /// Of particles on parabolas from one state to the other, `dt` seconds later.
-    pub fn between(lanes: Lanes, from: &State<'_, R>, to: &State<'_, R>, dt: R, slots: Range<u32>) -> Self {
+    pub fn between(lanes: Present, from: &State<'_, R>, to: &State<'_, R>, dt: R, slots: Range<u32>) -> Self {
         let [from_position, velocity, to] =
             [&from.position, &from.velocity, &to.position].map(|columns| window(read(columns), slots.clone()));
         lanes::run(lanes, Grow { from: from_position, velocity, to, dt })

@@ -4,7 +4,7 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel, Lanes, Set};
+use crate::lanes::{self, Kernel, Present, Set};
 use crate::vectors::{Columns, ColumnsMut, cut, lend, set, triples, triples_mut};
 use crate::world::System;
 
@@ -67,13 +67,13 @@ pub struct Rest<'a, R, A> {
     inverse_mass: &'a [R],
     /// m/s²
     gravity: [R; 3],
-    pub lanes: Lanes,
+    pub lanes: Present,
     acceleration: A,
 }
 
 impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
-    /// With the inverse mass of the plan's particles of one mass in `uniform`, as often as a tile has particles: it is in
-    /// the first cache, their own are not. Nothing if the masses of so many particles are not known.
+    /// With the inverse mass of the plan's particles of one mass in `uniform`, if at all, as often as a tile has particles:
+    /// it is in the first cache, their own may not be. Nothing if the masses of so many particles are not known.
     #[inline(always)]
     pub fn of(
         system: &System<'a, R>,
@@ -84,7 +84,7 @@ impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
         acceleration: A,
     ) -> Option<Self> {
         let of_one_mass = &system.plan.of_one_mass;
-        let is_uniform = of_one_mass.0 <= slots.start && slots.end <= of_one_mass.1;
+        let is_uniform = !uniform.is_empty() && of_one_mass.0 <= slots.start && slots.end <= of_one_mass.1;
         let [inverse_mass] = if is_uniform {
             cut([uniform], 0..slots.end - slots.start)?
         } else {

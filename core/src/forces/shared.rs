@@ -54,6 +54,6 @@ impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
 fn through_window<R: Real, T: Then<R>, F: Tension>(work: Accelerations<'_, R, T, F>) -> Outcome {
     let mut window = Window::new();
     // What a window writes in vectors of AVX2 is read right after: wider ones would wait until it has left the store buffer.
-    let system = &System { lanes: work.system.lanes.min(Lanes::Avx2), ..*work.system };
+    let system = &System { lanes: work.system.lanes.at_most(Lanes::Avx2), ..*work.system };
     Accelerations { system, window: Some(&mut window), ..work }.go_through().unwrap_or_default()
 }

@@ -11,7 +11,7 @@ use super::{diagonal, scattered};
 use crate::Real;
 use crate::carried::Carried;
 use crate::contact::hold_up;
-use crate::lanes::{self, Kernel, Lanes, Set};
+use crate::lanes::{self, Kernel, Present, Set};
 use crate::vectors::{Columns, ColumnsMut, at, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
@@ -57,11 +57,7 @@ pub struct Accelerations<'a, R: Real, T, F> {
 
 /// What is not in columns of the world, aligned, so that no vector lies across two lines of the cache.
 #[repr(C, align(64))]
-struct Room<R> {
-    from_above: [[R; TILE as usize]; 3],
-    /// Of particles of one mass, 1/kg.
-    inverse_mass: [R; TILE as usize],
-}
+struct Room<T>(T);
 
 /// What came of it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -79,11 +75,16 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
-        let mut room = Room {
-            from_above: [[R::ZERO; TILE as usize]; 3],
-            inverse_mass: [at(system.inverse_mass, system.plan.of_one_mass.0); TILE as usize],
+        let mut room = Room([[R::ZERO; TILE as usize]; 3]);
+        let Room(from_above) = &mut room;
+        // Of few particles their own masses are in the first cache as well.
+        let of_one_mass;
+        let inverse_mass: &[R] = if system.plan.particles > TILE {
+            of_one_mass = Room([at(system.inverse_mass, system.plan.of_one_mass.0); TILE as usize]);
+            &of_one_mass.0
+        } else {
+            &[]
         };
-        let Room { from_above, inverse_mass } = &mut room;
         // Only of a part springs reach what is not its own: the whole need not make it 0.
         let mut elsewhere;
         let mut nowhere: ColumnsMut<'_, R> = if pulled != (0..attached) {
@@ -253,7 +254,7 @@ fn add_tile<R: Real, F: Tension>(
 pub struct Forces<'a, R: Real> {
     pub position: Carried<'a, R>,
     pub velocity: Columns<'a, R>,
-    pub lanes: Lanes,
+    pub lanes: Present,
     /// The tile's first slot.
     pub start: u32,
     /// From springs to higher slots, of the tile's particles.

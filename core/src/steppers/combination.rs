@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::Real;
 use crate::carried::Carried;
 use crate::forces::{Acceleration, Then, Tile};
-use crate::lanes::{Lanes, SixColumns, run_on_six};
+use crate::lanes::{Present, SixColumns, run_on_six};
 use crate::vectors::{Columns, cut, read, triples, window};
 use crate::world::{State, tiles};
 
@@ -43,7 +43,7 @@ pub struct Combination<'a, R: Real, const STAGES: usize> {
     pub is_step: bool,
     /// Whether its velocity is carried on, with what rounding takes from it.
     pub carries_velocity: bool,
-    pub lanes: Lanes,
+    pub lanes: Present,
     /// x and v, of all slots.
     pub state: (Carried<'a, R>, Carried<'a, R>),
     /// The accelerations before the last one, of all slots.

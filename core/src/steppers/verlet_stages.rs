@@ -4,13 +4,13 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::carried::{Carried, CarriedMut};
-use crate::lanes::{self, Kernel, Lanes, Set};
+use crate::lanes::{self, Kernel, Present, Set};
 use crate::shared::Divisible;
 use crate::vectors::{Columns, ColumnsMut, along, cut, scaled, set, split, triples, triples_mut};
 
 /// x' = x + dt·(v + ½dt·a), and the velocity that is to be expected there, v + dt·a. Tells whether x' is finite.
 pub struct Drift<'a, R: Real> {
-    pub lanes: Lanes,
+    pub lanes: Present,
     /// s
     pub dt: R,
     /// The slots that are written to.
@@ -88,7 +88,7 @@ impl<R: Real> Divisible for Drift<'_, R> {
 
 /// v' = v + ½dt·(a + a'). Tells whether it is finite.
 pub struct Kick<'a, R: Real> {
-    pub lanes: Lanes,
+    pub lanes: Present,
     /// s
     pub dt: R,
     /// The slots that are written to.

@@ -11,7 +11,7 @@ use super::storage::{Column, Fixed, Storage};
 use super::view::{Springs, State, System, View, incidences_of, told};
 use crate::Real;
 use crate::carried::CarriedMut;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Present};
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
 use crate::vectors::{at, difference, fetch, put, read, size, store};
 
@@ -307,7 +307,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             planes: planes.items(),
             gravity: *gravity,
             plan,
-            lanes: *lanes,
+            lanes: Present::up_to(*lanes),
             workers: None,
             support: false,
         };

@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::rest::Watch;
 use crate::Real;
 use crate::carried::{Carried, CarriedMut, zip};
-use crate::lanes::Lanes;
+use crate::lanes::Present;
 use crate::types::{Plane, Sleep, StepError};
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, window};
 use crate::workers::Workers;
@@ -216,7 +216,7 @@ pub struct System<'a, R> {
     /// What of all that there is.
     pub plan: Plan,
     /// The most that kernels may make use of.
-    pub lanes: Lanes,
+    pub lanes: Present,
     /// Who shares the work, if anybody does.
     pub workers: Option<&'a dyn Workers>,
     /// Whether particles at rest on planes are held up by them while they are pressed against them.
