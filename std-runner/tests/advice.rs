@@ -94,6 +94,19 @@ fn f32_steps_that_round_away() {
     one(scene, &nothing(), Topic::LostMotion, &["100 µs", "7.812 mm", "--precision f64"]);
 }
 
+/// ω = 10 rad/s over 1 s, a metre wide: 6e-8 m √(1 s/dt) of roundings are 10 (10 dt)²/24 m at dt = (24 × 5.96e-8/1000)^0.4 s.
+#[test]
+fn f32_steps_below_rounding() {
+    let steps =
+        |time_step| Overrides { precision: Some(Precision::F32), ..with(StepperName::VelocityVerlet, time_step) };
+    let parts =
+        ["100 µs", "velocity-verlet gains nothing below about 289.9 µs", "--precision f32-compensated", "2.9e-4"];
+    one(SPRING, &steps(1e-4), Topic::BelowRounding, &parts);
+    assert_eq!(advice(SPRING, &steps(2e-4)), []);
+    let compensated = Overrides { precision: Some(Precision::F32Compensated), ..steps(1e-4) };
+    assert_eq!(advice(SPRING, &compensated), []);
+}
+
 #[test]
 fn particles_beyond_planes() {
     let below = format!("{BALL}[[plane]]\npoint = [0.0, 0.0, 1.5]\nnormal = [0.0, 0.0, 2.0]\n");

@@ -28,6 +28,8 @@ pub enum Topic {
     CoarsePositions,
     /// A step moves particles by less than `f32` can tell.
     LostMotion,
+    /// Shorter steps than `f32` gains anything by.
+    BelowRounding,
     /// Particles start beyond a plane.
     BeyondPlane,
     /// `reflect` lets particles at rest sink.
@@ -69,8 +71,9 @@ pub fn advise(subject: &Subject<'_>) -> Vec<Advice> {
     all.extend(stability::unstable(subject));
     all.extend(explicit::growing(subject));
     all.extend(stability::implicit_fallback(subject));
-    all.extend(precision::coarse_positions(subject));
-    all.extend(precision::lost_motion(subject));
+    // The worst of what rounding does is enough.
+    let rounding = [precision::coarse_positions, precision::lost_motion, precision::below_rounding];
+    all.extend(rounding.into_iter().find_map(|advice| advice(subject)));
     all.extend(planes::beyond(subject));
     all.extend(planes::sinking(subject));
     all.extend(frames::between_steps(subject));

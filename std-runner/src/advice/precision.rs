@@ -1,8 +1,11 @@
 //! Whether the numbers of `f32` lie close enough together.
 
+use hooke::Stepper;
+
 use super::{Advice, Subject, Topic};
 use crate::model::{Hold, Model};
 use crate::scene::{Precision, Settings};
+use crate::simulate::AnyStepper;
 use crate::units::{metres, seconds};
 
 /// The part of a spring's length that rounding may take before it is worth a word.
@@ -72,6 +75,47 @@ pub(super) fn lost_motion(subject: &Subject<'_>) -> Option<Advice> {
     );
     let remedy = "use --precision f64 or f32-compensated, or a longer --time-step".to_owned();
     Some(Advice { topic: Topic::LostMotion, message, remedy })
+}
+
+/// Steps so short that what their roundings add up to is more than what the stepper is wrong by, even if everything
+/// swings as far and as fast as it can: shorter ones still make it worse.
+///
+/// The error of order p is (ω dt)ᵖ/(p + 2)! of a swing, for each of the ωT radians of the run (it is that of an oscillator
+/// but for a factor near 1); T/dt roundings of places walk as far as the root of their number.
+pub(super) fn below_rounding(subject: &Subject<'_>) -> Option<Advice> {
+    let Subject { model, settings, start, .. } = subject;
+    if settings.precision != Precision::F32 {
+        return None;
+    }
+    let (time_step, bound) = (start.time_step?, start.bound?);
+    let stepper = AnyStepper::<f32>::named(settings.stepper, settings.tolerance);
+    let order = f64::from(Stepper::<f32>::order(&stepper));
+    let factorial: f64 = (1..=order as u32 + 2).map(f64::from).product();
+    let distance = model.particles.iter().map(|particle| farthest(particle.position)).fold(0.0, f64::max);
+    let rounding = 0.5 * f64::from(f32::EPSILON) * distance * settings.duration.sqrt();
+    let swing = bound.frequency.powf(order + 1.0) * settings.duration * widest(model);
+    let best = (rounding * factorial / swing).powf(1.0 / (order + 0.5));
+    // Past it by a factor, as the estimate is one.
+    if !(time_step < 0.5 * best && best.is_finite()) {
+        return None;
+    }
+    let message = format!(
+        "in f32, steps of {} add more rounding than they take away error: {} gains nothing below about {}",
+        seconds(time_step),
+        settings.stepper,
+        seconds(best),
+    );
+    let remedy = format!("use --precision f32-compensated or f64, or --time-step {best:.1e}");
+    Some(Advice { topic: Topic::BelowRounding, message, remedy })
+}
+
+/// The longest edge of the box around all particles, m.
+fn widest(model: &Model) -> f64 {
+    let along = |axis: usize| {
+        let places = model.particles.iter().map(|particle| particle.position.get(axis).copied().unwrap_or_default());
+        places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(along).fold(0.0, f64::max)
 }
 
 /// Whether a time step (s) is no positive number any more in the precision of the run: no step can be taken.

@@ -15,15 +15,17 @@ use super::sheet::{ChartError, Drawn, FONT, INK, PAPER, SCALE};
 
 /// Of one mosaic, pixels.
 const WIDTH: i32 = 380;
-const HEIGHT: i32 = 400;
-/// For the title.
-const HEAD: i32 = 28 * SCALE;
+const HEIGHT: i32 = 424;
+/// For each line of the title.
+const LINE: i32 = 26 * SCALE;
 /// For the numbers at the left.
 const LEFT: i32 = 64 * SCALE;
 
 /// Cells of one colour each, evenly spaced.
 #[derive(Clone, Debug)]
 pub struct Mosaic {
+    /// Above what it is beside: of a row the first has one, and there is room for it above the others.
+    pub heading: String,
     /// Above it.
     pub title: String,
     /// To the right.
@@ -83,9 +85,11 @@ impl Mosaics {
 impl Mosaic {
     fn draw(&self, area: &DrawingArea<SVGBackend<'_>, Shift>) -> Drawn {
         let (x, y) = (edges(&self.x, &self.columns), edges(&self.y, &self.rows));
-        let (head, body) = area.split_vertically(HEAD);
+        let (head, body) = area.split_vertically(2 * LINE);
         let style = (FONT, 17 * SCALE).with_color(INK).into_text_style(&head).pos(Pos::new(HPos::Left, VPos::Bottom));
-        head.draw(&Text::new(self.title.clone(), (LEFT + 8 * SCALE, HEAD), style))?;
+        for (text, line) in [(&self.heading, 1), (&self.title, 2)] {
+            head.draw(&Text::new(text.clone(), (LEFT + 8 * SCALE, line * LINE), style.clone()))?;
+        }
         let mut built = ChartBuilder::on(&body)
             .margin(8 * SCALE)
             .margin_right(16 * SCALE)

@@ -31,9 +31,9 @@ fn mosaics(scene: &str, maps: &[Map]) -> Vec<Mosaic> {
 fn mosaic(scene: &str, map: &Map, panel: &Panel) -> Mosaic {
     let is_first = map.panels.first().is_some_and(|first| std::ptr::eq(first, panel));
     let whose = if scene.is_empty() { map.stepper.to_string() } else { format!("{scene}: {}", map.stepper) };
-    let title = if is_first { format!("{whose}, {}", panel.damping) } else { panel.damping.clone() };
     Mosaic {
-        title,
+        heading: if is_first { whose } else { String::new() },
+        title: panel.damping.clone(),
         x: Axis::new("time step", Scale::Logarithmic, seconds),
         y: Axis::new("stiffness, times the scene's", Scale::Logarithmic, short),
         columns: map.time_steps.clone(),
