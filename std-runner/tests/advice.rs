@@ -83,14 +83,19 @@ fn explicit_euler_without_damping_grows() {
 #[test]
 fn f32_far_from_the_origin_is_coarse() {
     let far = SPRING.replace("[0.0, 0.0, 1.0]", "[1e4, 0.0, 1.0]").replace("[1.0, 0.0, 1.0]", "[10001.0, 0.0, 1.0]");
-    one(&far, &nothing(), Topic::CoarsePositions, &["10 km", "976.6 µm", "spring 0", "--precision f64"]);
-    assert_eq!(advice(&far, &Overrides { precision: Some(Precision::F64), ..nothing() }), []);
+    // Seen from its own middle it is not far.
+    assert_eq!(advice(&far, &nothing()), []);
+    // And with somebody on the other side of the origin that is.
+    let wide = format!("{far}[[particle]]\nposition = [-1e4, 0.0, 1.0]\n");
+    one(&wide, &nothing(), Topic::CoarsePositions, &["10 km", "976.6 µm", "spring 0", "--precision f64"]);
+    assert_eq!(advice(&wide, &Overrides { precision: Some(Precision::F64), ..nothing() }), []);
 }
 
 #[test]
 fn f32_steps_that_round_away() {
     let scene = "time_step = 1e-4\nstepper = \"velocity-verlet\"\n\
-                 [[particle]]\nposition = [1e5, 0.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]";
+                 [[particle]]\nposition = [1e5, 0.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]\n\
+                 [[particle]]\nposition = [-1e5, 0.0, 0.0]";
     one(scene, &nothing(), Topic::LostMotion, &["100 µs", "7.812 mm", "--precision f64"]);
 }
 

@@ -5,7 +5,7 @@ use hooke::Stepper;
 use super::{Advice, Subject, Topic};
 use crate::model::{Hold, Model};
 use crate::scene::{Precision, Settings};
-use crate::simulate::AnyStepper;
+use crate::simulate::{Anchor, AnyStepper};
 use crate::units::{metres, seconds};
 
 /// The part of a spring's length that rounding may take before it is worth a word.
@@ -27,8 +27,11 @@ pub(super) fn coarse_positions(subject: &Subject<'_>) -> Option<Advice> {
         return None;
     }
     let Model { particles, springs, .. } = subject.model;
+    let anchor = Anchor::of(subject.model);
     let coarse = (0_usize..).zip(springs).filter_map(|(number, spring)| {
-        let ends = spring.between.map(|end| particles.get(end as usize).map_or(0.0, |end| farthest(end.position)));
+        let ends = spring
+            .between
+            .map(|end| particles.get(end as usize).map_or(0.0, |end| farthest(anchor.from_there(end.position))));
         let distance = ends[0].max(ends[1]);
         let gap = spacing(distance);
         (spring.rest_length > 0.0).then(|| (gap / spring.rest_length, number, distance, gap, spring.rest_length))
@@ -57,10 +60,11 @@ pub(super) fn lost_motion(subject: &Subject<'_>) -> Option<Advice> {
     }
     let time_step = start.time_step?;
     let length = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
+    let anchor = Anchor::of(model);
     let free = || model.particles.iter().filter(|particle| particle.hold == Hold::Free);
     let fastest = free().map(|particle| length(particle.velocity)).fold(0.0, f64::max);
     let speed = fastest.max(length(settings.gravity) * settings.duration);
-    let distance = free().map(|particle| farthest(particle.position)).fold(0.0, f64::max);
+    let distance = free().map(|particle| farthest(anchor.from_there(particle.position))).fold(0.0, f64::max);
     let gap = spacing(distance);
     if speed == 0.0 || speed * time_step >= gap {
         return None;
@@ -91,7 +95,9 @@ pub(super) fn below_rounding(subject: &Subject<'_>) -> Option<Advice> {
     let stepper = AnyStepper::<f32>::named(settings.stepper, settings.tolerance);
     let order = f64::from(Stepper::<f32>::order(&stepper));
     let factorial: f64 = (1..=order as u32 + 2).map(f64::from).product();
-    let distance = model.particles.iter().map(|particle| farthest(particle.position)).fold(0.0, f64::max);
+    let anchor = Anchor::of(model);
+    let distance =
+        model.particles.iter().map(|particle| farthest(anchor.from_there(particle.position))).fold(0.0, f64::max);
     let rounding = 0.5 * f64::from(f32::EPSILON) * distance * settings.duration.sqrt();
     let swing = bound.frequency.powf(order + 1.0) * settings.duration * widest(model);
     let best = (rounding * factorial / swing).powf(1.0 / (order + 0.5));

@@ -4,6 +4,7 @@ use hooke::{
     AddParticleError, AddPlaneError, AddSpringError, Container, Hold, Particle, Plane, Real, SetError, Sleep, Spring,
 };
 
+use super::anchor::Anchor;
 use super::heap::Heap;
 use crate::model::{Hold as ModelHold, Model, ModelParticle, ModelPlane, ModelSpring};
 use crate::scene::Settings;
@@ -41,12 +42,13 @@ pub fn world<R: Real>(model: &Model, gravity: [f64; 3]) -> Result<HeapWorld<R>, 
     Ok(world)
 }
 
-/// The world of a model as the settings say: under their gravity, and with what rests asleep if they let it.
+/// The world of a model as the settings say: under their gravity, seen from the model's anchor, and with what rests asleep
+/// if they let it.
 ///
 /// # Errors
 /// Like [`world`].
 pub fn world_with<R: Real>(model: &Model, settings: &Settings) -> Result<HeapWorld<R>, BuildError> {
-    let mut world = world(model, settings.gravity)?;
+    let mut world = world(&Anchor::of(model).relative(model), settings.gravity)?;
     let sleep = settings.sleep_speed.map(|speed| Sleep::below(R::from_f64(speed)));
     let refused = |error: SetError| BuildError { place: "sleep_speed".to_owned(), reason: error.to_string() };
     world.set_sleep(sleep).map_err(refused)?;

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use hooke::View;
 
 use super::Stepped;
+use super::anchor::Anchor;
 use super::build::HeapWorld;
 use super::interpolate::{Moment, hermite};
 use super::method::AnyStepper;
@@ -16,6 +17,8 @@ use crate::record::{Background, BoxedRecorder, RecordError, Sample, Stopped};
 /// Takes frames.
 pub(super) struct Frames<R: Stepped> {
     schedule: Schedule,
+    /// What states are relative to.
+    anchor: Anchor,
     /// Nothing where no frame is recorded: then none is made.
     background: Option<Background<R::Coordinate>>,
     /// The number of the next frame.
@@ -52,12 +55,14 @@ impl<R: Stepped> Frames<R> {
     /// Starts a thread for the recorders, if there are any.
     pub(super) fn new(
         schedule: Schedule,
+        anchor: Anchor,
         recorders: Vec<BoxedRecorder<R::Coordinate>>,
         particles: usize,
     ) -> io::Result<Self> {
         let background = (!recorders.is_empty()).then(|| Background::start(recorders, particles)).transpose()?;
         Ok(Self {
             schedule,
+            anchor,
             background,
             next: 0,
             waiting: Duration::ZERO,
@@ -79,7 +84,7 @@ impl<R: Stepped> Frames<R> {
             return Ok(());
         };
         let began = Instant::now();
-        let recorded = hand_over(background, 0, 0.0, moments(view), &[]);
+        let recorded = hand_over(background, 0, 0.0, moments(view, self.anchor), &[]);
         self.next = 1;
         self.waiting += began.elapsed();
         recorded
@@ -92,18 +97,18 @@ impl<R: Stepped> Frames<R> {
             return;
         }
         let began = Instant::now();
-        let schedule = self.schedule;
+        let (schedule, anchor) = (self.schedule, self.anchor);
         self.flights.clear();
         for frame in (self.next..).take_while(|frame| schedule.is_before_end(*frame, step)) {
             let time = schedule.frame_time(frame);
             let first = self.flights.len();
             if let Some(free) = world.view().free_at(stepper, time) {
-                self.flights.extend(free.map(|(number, x, v)| (number, (x.into(), v.into()))));
+                self.flights.extend(free.map(|(number, x, v)| (number, (anchor.in_scene(x.into()), v.into()))));
             }
             self.within.push(Within { time, flights: first..self.flights.len() });
         }
         self.before.clear();
-        self.before.extend(moments(&world.view()));
+        self.before.extend(moments(&world.view(), self.anchor));
         self.waiting += began.elapsed();
     }
 
@@ -124,13 +129,14 @@ impl<R: Stepped> Frames<R> {
         let (start, end) = (self.schedule.step_end(step - 1), self.schedule.step_end(step));
         for Within { time, flights } in &self.within {
             let part = (time - start) / (end - start);
-            let between = self.before.iter().zip(moments(view)).map(|(a, b)| hermite(*a, b, end - start, part));
+            let between =
+                self.before.iter().zip(moments(view, self.anchor)).map(|(a, b)| hermite(*a, b, end - start, part));
             let flights = self.flights.get(flights.clone()).unwrap_or_default();
             hand_over(background, self.next, *time, between, flights)?;
             self.next += 1;
         }
         if at_end {
-            hand_over(background, self.next, self.schedule.frame_time(self.next), moments(view), &[])?;
+            hand_over(background, self.next, self.schedule.frame_time(self.next), moments(view, self.anchor), &[])?;
             self.next += 1;
         }
         self.waiting += began.elapsed();
@@ -172,6 +178,6 @@ fn hand_over<S: Sample>(
 }
 
 /// All particles, in the order of their numbers.
-fn moments<R: Stepped>(view: &View<'_, R>) -> impl Iterator<Item = Moment<R::Coordinate>> {
-    view.states().map(|(position, velocity)| (position.into(), velocity.into()))
+fn moments<R: Stepped>(view: &View<'_, R>, anchor: Anchor) -> impl Iterator<Item = Moment<R::Coordinate>> {
+    view.states().map(move |(position, velocity)| (anchor.in_scene(position.into()), velocity.into()))
 }

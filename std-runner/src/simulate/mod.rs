@@ -1,5 +1,6 @@
 //! A model stepped through its duration, frame by frame.
 
+mod anchor;
 mod audit;
 mod build;
 mod frames;
@@ -17,6 +18,7 @@ use hooke::Real;
 
 use crate::record::Sample;
 
+pub use anchor::Anchor;
 pub use build::{BuildError, HeapWorld, world};
 pub use heap::{Heap, HeapColumn};
 pub use method::{AnyResponse, AnyStepper, FILL};

@@ -6,6 +6,7 @@ use std::time::Instant;
 use hooke::{Balance, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
 
 use super::Stepped;
+use super::anchor::Anchor;
 use super::audit::Audit;
 use super::build::{BuildError, HeapWorld, world_with};
 use super::frames::Frames;
@@ -122,7 +123,9 @@ pub fn run<R: Stepped>(
     options: &Options<'_>,
 ) -> Result<Summary, RunError> {
     let mut world = world_with::<R>(model, settings)?;
-    let tracks = Tracks::of(model);
+    let anchor = Anchor::of(model);
+    let relative = anchor.relative(model);
+    let tracks = Tracks::of(&relative);
     let start = Start::in_world(&mut world, settings);
     if !start.schedule.is_countable() {
         return Err(RunError::Endless(Box::new(start)));
@@ -130,7 +133,7 @@ pub fn run<R: Stepped>(
     let threads = Threads::of(options.threads, &start.plan)?;
     let recorders = begin(&start).map_err(RunError::Begin)?;
     let mut run = Run {
-        frames: Frames::new(start.schedule, recorders, model.particles.len()).map_err(RunError::Thread)?,
+        frames: Frames::new(start.schedule, anchor, recorders, model.particles.len()).map_err(RunError::Thread)?,
         summary: Summary::before(start),
         method: Method {
             stepper: AnyStepper::named(settings.stepper, settings.tolerance),
