@@ -32,6 +32,11 @@ pub trait Stepper<R: Real> {
         most
     }
 
+    /// Whether it does.
+    fn chooses_parts(&self) -> bool {
+        false
+    }
+
     /// A step begins.
     fn begins(&mut self, _view: &View<'_, R>) {}
 

@@ -109,7 +109,8 @@ impl<R: Real> View<'_, R> {
         let mut lost = 0.0;
         for slot in first..=last {
             lost += kinetic_of(&self.system, &self.current, slot);
-            store(&mut self.current.velocity, slot, [R::ZERO; 3]);
+            self.current.put_velocity(slot, [R::ZERO; 3]);
+            store(&mut self.current.velocity_residual, slot, [R::NO_RESIDUAL; 3]);
             let particle = at(self.system.particle_at, slot);
             put(self.rest, particle, Mark::from_byte(at(self.rest, particle)).sleeping().to_byte());
         }

@@ -3,8 +3,8 @@
 use crate::Real;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{StepError, StepReport};
-use crate::vectors::at;
-use crate::world::{Clock, Container, Storage, View, told};
+use crate::vectors::{at, fetch, read};
+use crate::world::{Clock, Container, Storage, View};
 
 impl<R: Real> View<'_, R> {
     /// The particles that no spring pulls at as they will be at a later `time` (s), before the end of the next step,
@@ -19,10 +19,15 @@ impl<R: Real> View<'_, R> {
             return None;
         }
         let plan = self.system.plan.awake();
-        let (position, velocity) = (self.next.carried_position(), self.next.carried_velocity());
+        let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
+        let told = |vector: [R; 3]| vector.map(|component| component.told(R::NO_RESIDUAL)).into();
         let slots = plan.attached..plan.particles;
         let system = self.system;
-        Some(slots.map(move |slot| (at(system.particle_at, slot), told(position, slot), told(velocity, slot))))
+        Some(
+            slots.map(move |slot| {
+                (at(system.particle_at, slot), told(fetch(position, slot)), told(fetch(velocity, slot)))
+            }),
+        )
     }
 
     /// Takes one step of `dt` seconds.
@@ -74,9 +79,11 @@ impl<R: Real> View<'_, R> {
         let mut dt = dt;
         if R::IS_COMPENSATED {
             // The roundings of steps would add up to what they are there not to.
-            let rest = end - self.time() + self.clock.owed;
-            dt = R::from_f64(rest);
-            clock.owed = rest - dt.to_f64();
+            // But for those of one so short that they are all of it.
+            let length = end - self.time();
+            let owed = if self.clock.owed.abs() < 0.5 * length { self.clock.owed } else { 0.0 };
+            dt = R::from_f64(length + owed);
+            clock.owed = self.clock.owed + (length - dt.to_f64());
         }
         self.take(stepper, response, dt, clock, observer)
     }

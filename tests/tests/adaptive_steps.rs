@@ -7,6 +7,7 @@ use hooke::{
 use hooke_runner::model::{Hold, Model, ModelParticle, ModelSpring};
 use hooke_runner::simulate::{Heap, HeapWorld, world};
 use hooke_tests::moment::Moment;
+use hooke_tests::problems::bouncing_oscillator::BouncingOscillator;
 use hooke_tests::problems::{Problem, bouncing, smooth};
 use hooke_tests::{digest, measure};
 
@@ -154,4 +155,41 @@ fn a_fixed_step_misses_what_a_tolerance_meets() {
     });
     let missed = measure::position_error(&moment(&mut world), &(problem.exact)(problem.duration));
     assert!(error < 1e-8 && missed > 100.0 * error, "{error:e}, {missed:e}");
+}
+
+/// One step of many seconds is that of many short ones: more hits than any part may have, and bounces that come to rest only
+/// when they do.
+#[test]
+fn a_long_step_is_many_short_ones() {
+    for (equilibrium, restitution, duration) in [(0.08, 1.0, 60.0), (-0.1, 0.8, 2.3), (-0.1, 0.8, 2.6)] {
+        let problem = BouncingOscillator::new(equilibrium, restitution).problem();
+        let end = |count: u32| {
+            let mut world = world::<f64>(&problem.model, problem.gravity).unwrap();
+            let (mut stepper, mut response) = (Dop853::new(1e-10), TimeOfImpact::<f64, Heap>::new());
+            for _ in 0..count {
+                world.step(&mut stepper, &mut response, duration / f64::from(count)).unwrap();
+            }
+            moment(&mut world)
+        };
+        let error = measure::position_error(&end(1), &end(1000));
+        // Hundreds of parts and bounces at most, each off by 1e-10 m.
+        assert!(error < 1e-6, "{equilibrium}, {restitution}, {duration} s: {error:e}");
+    }
+}
+
+/// Nothing is below no tolerance: it is refused, and so is one that is no number. One that no part meets ends all the same,
+/// and the report tells.
+#[test]
+fn what_no_part_can_meet_ends() {
+    let mut world = world::<f64>(&stiff(0.0), [0.0; 3]).unwrap();
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = world.step(&mut Dop853::new(tolerance), &mut Reflect, 1e-3);
+        assert_eq!(refused, Err(StepError::Tolerance), "{tolerance}");
+    }
+    let report = world.step(&mut Dop853::new(1e-300), &mut Reflect, 1e-3).unwrap();
+    assert!(!report.converged && report.residual > 1.0, "{report:?}");
+    let mut single = hooke_runner::simulate::world::<f32>(&stiff(0.0), [0.0; 3]).unwrap();
+    let mut stepper = AdaptiveDop853::<f32, Heap>::new(1e-30);
+    assert!(!single.step(&mut stepper, &mut Reflect, 1e-2).unwrap().converged);
+    assert!((single.time() - 1e-2).abs() < 1e-9);
 }

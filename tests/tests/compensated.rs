@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 use hooke::{Compensated, Fixed, Particle, Real, World};
-use hooke_runner::model::{Hold, Model, ModelParticle, ModelSpring};
+use hooke_runner::model::{Hold, Model, ModelParticle, ModelPlane, ModelSpring};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_tests::moment::Moment;
 use hooke_tests::runs::Run;
@@ -123,4 +123,46 @@ fn steps_add_up_to_the_time() {
     let x = world.position(particle).unwrap().x;
     // Residuals of a kilometre have 2⁻⁴⁸ of it; 100,000 of those add up like their root.
     assert!((x - 1000.0).abs() < 1e-8, "{x}");
+}
+
+/// A throw, with a hit located inside the step or without: what flies along a stepper's path keeps its rounding too.
+#[test]
+fn what_flies_freely_keeps_its_rounding() {
+    fn error<R: Real>(form: CollisionForm) -> f64 {
+        let start = ModelParticle { position: [0.0; 3], velocity: [0.1, 0.0, 3.0], mass: 1.0, hold: Hold::Free };
+        let floor = ModelPlane { point: [0.0, 0.0, -500.0], normal: [0.0, 0.0, 1.0], restitution: 0.5 };
+        let model = Model { particles: vec![start], planes: vec![floor], ..Model::default() };
+        let mut run = Run::<R>::new(&model, [0.0, 0.0, -9.81], StepperName::VelocityVerlet, form);
+        steps(&mut run, 100_000, 10.0);
+        let [x, _, z] = run.moment().position[0];
+        (x - 1.0).abs() + (z - (30.0 - 0.5 * 9.81 * 100.0)).abs()
+    }
+    for form in [CollisionForm::Reflect, CollisionForm::TimeOfImpact] {
+        // Gravity itself is rounded: 6e-8 of 490 m at most.
+        let kept = error::<Compensated>(form);
+        assert!(kept < 3e-5, "{form}: {kept:e}");
+        assert!(error::<f32>(form) > 100.0 * kept, "{form}");
+    }
+}
+
+/// What has come to rest on a plane is told as lying there, without what it had lost in rounding on its way.
+#[test]
+fn a_bounce_leaves_no_residual() {
+    for form in [CollisionForm::Reflect, CollisionForm::Project, CollisionForm::TimeOfImpact] {
+        let particle = |x: f64, z: f64| ModelParticle {
+            position: [x, 0.0, z],
+            velocity: [0.0, 0.0, -140.000_003],
+            mass: 1.0,
+            hold: Hold::Free,
+        };
+        let floor = ModelPlane { point: [0.0; 3], normal: [0.0, 0.0, 1.0], restitution: 0.0 };
+        let spring = ModelSpring { between: [1, 2], stiffness: 1.0, damping: 0.0, rest_length: 1.0 };
+        let particles = vec![particle(0.0, 3.000_000_03), particle(1.0, 3.000_000_03), particle(2.0, 3.000_000_03)];
+        let model = Model { particles, springs: vec![spring], planes: vec![floor], ..Model::default() };
+        let mut run = Run::<Compensated>::new(&model, [0.0; 3], StepperName::VelocityVerlet, form);
+        steps(&mut run, 100, 0.1);
+        for velocity in run.moment().velocity {
+            assert_eq!(velocity[2], 0.0, "{form}");
+        }
+    }
 }

@@ -6,6 +6,7 @@ mod due;
 mod events;
 mod extent;
 mod flights;
+mod fly_along;
 mod impacts;
 mod locate;
 mod parts;

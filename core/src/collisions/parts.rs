@@ -13,8 +13,10 @@ pub fn advance_in_parts<R: Real>(
     observer: &mut impl Observer<R>,
 ) -> Result<StepReport, StepError> {
     let mut report = StepReport::default();
-    let mut rest = dt;
+    // In `f64`, as thousands of parts add up in no other.
+    let mut left = dt.to_f64();
     loop {
+        let rest = R::from_f64(left);
         let part = stepper.advance_up_to(view, rest, &mut report);
         view.refuse_non_finite()?;
         observer.advanced(view, part);
@@ -23,6 +25,6 @@ pub fn advance_in_parts<R: Real>(
             return Ok(report);
         }
         view.commit(view.clock.later(part.to_f64()), false);
-        rest -= part;
+        left -= part.to_f64();
     }
 }

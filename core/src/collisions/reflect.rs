@@ -8,7 +8,7 @@ use crate::lanes::{self, Kernel, Set};
 use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{Plane, StepError, StepReport};
-use crate::vectors::{Columns, along, at, dot, fetch, read, store, triples, window};
+use crate::vectors::{Columns, along, at, dot, fetch, read, triples, window};
 use crate::world::{State, System, TILE, View, stretches};
 
 /// Particles that are looked at together for whether a plane is in reach: enough that it costs next to nothing.
@@ -108,8 +108,8 @@ fn answer_tile<R: Real>(
         if speed < R::ZERO {
             let change = -(R::ONE + plane.restitution) * speed;
             let (position, velocity) = (displace(plane, gap, position), along(velocity, change, plane.normal));
-            store(&mut state.velocity, slot, velocity);
-            store(&mut state.position, slot, position);
+            state.put_velocity(slot, velocity);
+            state.put_position(slot, position);
             // A sum is not finite if one of them is not; if it alone is not, whoever looks finds that all of them are.
             answer.overflows |= !position.into_iter().chain(velocity).fold(R::ZERO, |sum, x| sum + x).is_finite();
             let (before, after) = (speed.to_f64(), (plane.restitution * speed).to_f64());

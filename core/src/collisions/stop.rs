@@ -5,7 +5,7 @@ use super::reflect::Answer;
 use crate::Real;
 use crate::contact::{resting, touching};
 use crate::forces::energy::potential;
-use crate::vectors::{along, at, dot, fetch, read, store};
+use crate::vectors::{along, at, dot, fetch, read};
 use crate::world::View;
 
 /// Times that the planes are gone through: what one puts right, another may put wrong in the corner between them.
@@ -44,16 +44,16 @@ fn stop_once<R: Real>(view: &mut View<'_, R>, answer: &mut Answer, finally: bool
             let falls = gap < R::ZERO && speed < -resting(velocity);
             if finally && sinks {
                 answer.lost += at(system.mass, slot).to_f64() * half_square(dot(velocity, velocity).sqrt());
-                store(&mut next.position, slot, fetch(read(&current.position), slot));
-                store(&mut next.velocity, slot, [R::ZERO; 3]);
+                next.put_position(slot, fetch(read(&current.position), slot));
+                next.put_velocity(slot, [R::ZERO; 3]);
                 stopped += 1;
                 continue;
             }
             if sinks {
-                store(&mut next.position, slot, along(position, depth, plane.normal));
+                next.put_position(slot, along(position, depth, plane.normal));
             }
             if falls {
-                store(&mut next.velocity, slot, along(velocity, -speed, plane.normal));
+                next.put_velocity(slot, along(velocity, -speed, plane.normal));
                 answer.lost += at(system.mass, slot).to_f64() * half_square(speed);
             }
             stopped += u32::from(sinks || falls);

@@ -1,7 +1,8 @@
 //! The response that finds hits inside the step.
 
 use super::Answer;
-use super::bounce::{Flight, Path, first_contact, half_square};
+use super::bounce::{Flight, first_contact, half_square};
+use super::fly_along::fly_along;
 use super::locate::locate;
 use super::stop::stop_all;
 use core::ops::Range;
@@ -13,7 +14,7 @@ use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
 use crate::rounding::rounding;
 use crate::types::{Full, Plane, StepError, StepReport};
-use crate::vectors::{along, at, dot, fetch, read, size, store};
+use crate::vectors::{along, at, dot, fetch, read, size};
 use crate::world::{Clock, Plan, State, StateColumns, Storage, System, View, tiles};
 
 /// Parts that hits may cut one step into. What hits after that is stopped where it is, and reported.
@@ -123,10 +124,16 @@ fn step<R: Real>(
     let mut report = StepReport::default();
     let from = view.clock.seconds();
     let mut rest = dt;
+    // The same in `f64`, as thousands of parts add up in no other.
+    let mut left = dt.to_f64();
+    // Bounces that would end within a step end in rest: within a part of it, where those are what is chosen.
+    let mut span = if stepper.chooses_parts() { R::ZERO } else { dt };
+    let mut cuts = 0;
     let mut stopped = None;
     if view.system.plan.attached > 0 {
         loop {
             let (part, hit) = advance_to_hit(view, stepper, rest, &mut report)?;
+            span = span.at_least(part);
             let Some(mut hit) = hit else {
                 if part >= rest {
                     break;
@@ -135,21 +142,28 @@ fn step<R: Real>(
                 observer.advanced(view, part);
                 view.next.keep(view.system.plan.attached, &view.current);
                 view.commit(view.clock.later(part.to_f64()), false);
-                rest -= part;
+                left -= part.to_f64();
+                (rest, cuts) = (R::from_f64(left), 0);
                 continue;
             };
             report.substeps += 1;
-            if report.substeps == MOST_SUBSTEPS {
-                if part < rest {
-                    report.add(&stepper.advance(&mut view.attached(), rest));
-                    view.attached().refuse_non_finite()?;
-                }
-                observer.advanced(view, rest);
+            cuts += 1;
+            if cuts == MOST_SUBSTEPS {
+                observer.advanced(view, part);
                 let answer = stop_all(view, observer.watches());
                 view.attached().refuse_non_finite()?;
                 report.capped += answer.hits;
-                stopped = Some(answer);
-                break;
+                if part >= rest {
+                    stopped = Some(answer);
+                    break;
+                }
+                start.save(view);
+                observer.lost_in_impacts(answer.lost);
+                view.next.keep(view.system.plan.attached, &view.current);
+                view.commit(view.clock.later(part.to_f64()), true);
+                left -= part.to_f64();
+                (rest, cuts) = (R::from_f64(left), 0);
+                continue;
             }
             start.save(view);
             // Where the path does not meet the plane after all, the step is cut all the same: the rest is known better.
@@ -169,21 +183,24 @@ fn step<R: Real>(
             } else {
                 view.next.copy_from(&view.current);
             }
-            let answer = if meets { bounce(&mut view.attached(), &hit, dt) } else { Answer::default() };
+            let answer = if meets { bounce(&mut view.attached(), &hit, span) } else { Answer::default() };
             observer.lost_in_impacts(answer.lost);
             report.hits += answer.hits;
             view.commit(view.clock.later(hit.tau.to_f64()), meets);
             rest -= hit.tau;
+            left = rest.to_f64();
         }
         if stopped.is_none() {
             observer.advanced(view, rest);
         }
     }
     let lost = match stepper.fly(view, from, &mut report) {
-        Some(lost) => lost,
+        Some(lost) => {
+            view.next.forget_residuals_from(view.system.plan.attached);
+            lost
+        }
         None => fly_along(view, stepper.curvature(), dt, &mut report),
     };
-    view.next.copy_residuals_from(view.system.plan.attached, &view.current);
     // What springs pull at has been looked at, and exact flight has seen to that itself.
     if !core::mem::take(&mut view.is_next_finite) {
         view.refuse_non_finite_from(view.system.plan.attached)?;
@@ -251,8 +268,8 @@ fn keep_tile_lying<R: Real>(
         if !leaves {
             after.keep_on(plane, velocity);
         }
-        store(&mut next.position, slot, after.position);
-        store(&mut next.velocity, slot, after.velocity);
+        next.put_position(slot, after.position);
+        next.put_velocity(slot, after.velocity);
     }
 }
 
@@ -331,8 +348,8 @@ fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
             flight.position = along(flight.position, -plane.gap(flight.position), plane.normal);
         }
         flight.put_on(plane, away);
-        store(&mut next.position, slot, flight.position);
-        store(&mut next.velocity, slot, flight.velocity);
+        next.put_position(slot, flight.position);
+        next.put_velocity(slot, flight.velocity);
         answer.hits += 1;
         answer.lost += at(system.mass, slot).to_f64() * (half_square(speed) - half_square(away));
         true
@@ -354,21 +371,4 @@ fn bounce<R: Real>(view: &mut View<'_, R>, hit: &Hit<R>, dt: R) -> Answer {
         }
     }
     answer
-}
-
-/// Flies the particles without springs through a whole step, along the stepper's path. Returns the energy lost, J.
-fn fly_along<R: Real>(view: &mut View<'_, R>, curvature: R, dt: R, report: &mut StepReport) -> f64 {
-    let View { system, current, next, .. } = view;
-    let mut lost = 0.0;
-    for slot in system.plan.attached..system.plan.particles {
-        let mut flight =
-            Flight { position: fetch(read(&current.position), slot), velocity: fetch(read(&current.velocity), slot) };
-        let bounces = Path::of(system, slot, curvature).fly(&mut flight, dt);
-        store(&mut next.position, slot, flight.position);
-        store(&mut next.velocity, slot, flight.velocity);
-        report.hits = report.hits.saturating_add(bounces.hits);
-        report.capped = report.capped.saturating_add(u32::from(bounces.capped));
-        lost += at(system.mass, slot).to_f64() * bounces.lost;
-    }
-    lost
 }

@@ -66,7 +66,7 @@ pub fn newton<R: Real>(
             None => break,
         }
     }
-    view.next.forget_residuals();
+    view.next.forget_residuals_from(0);
     report.converged = tolerance.is_within_reach(&measured);
     report.residual = measured.relative();
     report

@@ -52,6 +52,6 @@ pub fn one_linearisation<R: Real>(
         store(&mut next.velocity, slot, along(fetch(velocity, slot), R::ONE, at(scratch.direction, slot)));
     }
     advance_columns(lend(&mut next.position), position, dt, read(&next.velocity));
-    next.forget_residuals();
+    next.forget_residuals_from(0);
     report
 }

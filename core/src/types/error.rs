@@ -76,6 +76,8 @@ pub enum StepError {
     TimeStep,
     /// The stepper is for worlds without damping.
     Damped,
+    /// The tolerance of the stepper is not positive and finite.
+    Tolerance,
     /// The workspace of the stepper or of the response is too small for the world.
     Workspace(Full),
     /// The step would have made this particle's position or velocity infinite or NaN.
@@ -146,6 +148,7 @@ impl fmt::Display for StepError {
         match self {
             Self::TimeStep => write!(f, "the time step is not positive and finite"),
             Self::Damped => write!(f, "the stepper is for worlds without damping"),
+            Self::Tolerance => write!(f, "the tolerance is not positive and finite"),
             Self::Workspace(full) => write!(f, "the workspace is too small for the world: {full}"),
             Self::NonFinite { particle } => {
                 write!(f, "particle {particle} would become infinite or NaN")

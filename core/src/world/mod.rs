@@ -23,4 +23,4 @@ pub use view::View;
 pub(crate) use clock::Clock;
 pub(crate) use pieces::{Piece, TILE, Words, stretches, tiles};
 pub(crate) use rest::Mark;
-pub(crate) use view::{Law, Springs, State, System, told};
+pub(crate) use view::{Law, Springs, State, System};

@@ -9,7 +9,7 @@ use crate::Real;
 use crate::carried::{Carried, CarriedMut, zip};
 use crate::lanes::Present;
 use crate::types::{Plane, Sleep, StepError};
-use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, window};
+use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, store, window};
 use crate::workers::Workers;
 
 /// Positions and velocities by slot.
@@ -39,10 +39,28 @@ impl<R: Real> State<'_, R> {
         columns.zip(others).for_each(|(column, other)| copy_from(column, other, first));
     }
 
-    /// Nothing has been lost.
-    pub fn forget_residuals(&mut self) {
+    /// Nothing has been lost, of the slots from `first` on.
+    pub fn forget_residuals_from(&mut self, first: u32) {
         let columns = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
-        columns.for_each(|column| column.fill(R::NO_RESIDUAL));
+        for column in columns {
+            column.get_mut(first as usize..).unwrap_or_default().fill(R::NO_RESIDUAL);
+        }
+    }
+
+    /// Puts a particle somewhere else; where it is already, nothing is lost of it.
+    pub fn put_position(&mut self, slot: u32, position: [R; 3]) {
+        if R::IS_COMPENSATED && fetch(read(&self.position), slot) != position {
+            store(&mut self.position_residual, slot, [R::NO_RESIDUAL; 3]);
+        }
+        store(&mut self.position, slot, position);
+    }
+
+    /// Gives a particle another velocity; where it has it already, nothing is lost of it.
+    pub fn put_velocity(&mut self, slot: u32, velocity: [R; 3]) {
+        if R::IS_COMPENSATED && fetch(read(&self.velocity), slot) != velocity {
+            store(&mut self.velocity_residual, slot, [R::NO_RESIDUAL; 3]);
+        }
+        store(&mut self.velocity, slot, velocity);
     }
 
     /// Copies both from another state, for the slots from `first` on.

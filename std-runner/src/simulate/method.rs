@@ -127,6 +127,22 @@ impl<R: Real> Stepper<R> for AnyStepper<R> {
         each!(self, stepper => stepper.advance(view, dt))
     }
 
+    fn advance_up_to(&mut self, view: &mut View<'_, R>, most: R, report: &mut StepReport) -> R {
+        each!(self, stepper => stepper.advance_up_to(view, most, report))
+    }
+
+    fn chooses_parts(&self) -> bool {
+        each!(self, stepper => Stepper::<R>::chooses_parts(stepper))
+    }
+
+    fn begins(&mut self, view: &View<'_, R>) {
+        each!(self, stepper => stepper.begins(view));
+    }
+
+    fn fails(&mut self, view: &mut View<'_, R>) {
+        each!(self, stepper => stepper.fails(view));
+    }
+
     fn order(&self) -> u32 {
         each!(self, stepper => Stepper::<R>::order(stepper))
     }

@@ -11,8 +11,8 @@ use crate::world::{Clock, Plan, StateColumns, Storage, View};
 const SAFETY: f64 = 0.9;
 /// The most that a step may be shorter and longer than the one before.
 const CHANGE: [f64; 2] = [1.0 / 3.0, 6.0];
-/// No part is shorter than this part of the whole step: what is too much for such a one is too much.
-const SHORTEST: f64 = 1e-7;
+/// No part is shorter than this part of the whole step: where even such a one does not meet the tolerance, the report says so.
+const SHORTEST: f64 = 1e-5;
 
 /// An explicit Runge-Kutta method with an embedded formula that tells the error of each step: steps are as long as keeps
 /// that below a tolerance, and those that turn out too long are taken again.
@@ -75,6 +75,10 @@ impl<R: Real, M: Storage, T: Embedded<STAGES>, const STAGES: usize> Stepper<R> f
     }
 
     fn accept(&self, plan: &Plan) -> Result<(), StepError> {
+        // Nothing is below 0, and everything below what is not a number.
+        if !(self.tolerance > 0.0 && self.tolerance.is_finite()) {
+            return Err(StepError::Tolerance);
+        }
         self.method.accept(plan)
     }
 
@@ -85,23 +89,40 @@ impl<R: Real, M: Storage, T: Embedded<STAGES>, const STAGES: usize> Stepper<R> f
     fn advance_up_to(&mut self, view: &mut View<'_, R>, most: R, report: &mut StepReport) -> R {
         let mut part = self.next_part(most);
         let mut largest = CHANGE[1];
-        let shortest = SHORTEST * *self.whole.get_or_insert(most.to_f64());
+        let shortest = (SHORTEST * *self.whole.get_or_insert(most.to_f64())).min(most.to_f64());
+        // What is cut short by `most` says little of what would be allowed.
+        let before = if part == most && self.allowed.is_finite() { self.allowed } else { 0.0 };
         loop {
             report.add(&self.method.advance(view, part));
             let is_finite = view.refuse_non_finite().is_ok();
             let error = if is_finite { self.method.estimate(view, part) / self.tolerance } else { f64::INFINITY };
             let holds = error <= 1.0;
-            let change = SAFETY / root(error, T::ESTIMATED_ORDER);
+            // What is not a number is no small error.
+            let change = if error >= 0.0 { SAFETY / root(error, T::ESTIMATED_ORDER) } else { CHANGE[0] };
             self.allowed =
                 part.to_f64() * if holds { change.clamp(CHANGE[0], largest) } else { change.clamp(CHANGE[0], SAFETY) };
-            if holds || self.allowed < shortest {
+            if holds {
+                self.allowed = self.allowed.max(before);
                 return part;
             }
+            // But for the rounding of a part.
+            if part.to_f64() <= 1.000_001 * shortest {
+                // The estimate is not met: whoever looks is told, and what is not finite is refused.
+                self.allowed = shortest;
+                report.converged = false;
+                report.residual = if error > report.residual { error } else { report.residual };
+                return part;
+            }
+            self.allowed = self.allowed.max(shortest);
             report.rejected = report.rejected.saturating_add(1);
             // What has just failed is not tried again right away.
             largest = 1.0;
             part = R::from_f64(self.allowed);
         }
+    }
+
+    fn chooses_parts(&self) -> bool {
+        true
     }
 
     fn begins(&mut self, view: &View<'_, R>) {

@@ -120,8 +120,13 @@ impl Embedded<12> for Hairer {
 
     /// The fifth order's, by how much smaller it is than the third order's.
     fn estimate([fifth, third]: [f64; 2]) -> f64 {
-        let size = Real::sqrt(fifth * fifth + 0.01 * third * third);
-        if size > 0.0 { fifth * (fifth / size) } else { 0.0 }
+        // By the larger one first: squares of large numbers are infinite.
+        let largest = fifth.at_least(third);
+        if !(largest > 0.0 && largest.is_finite()) {
+            return largest;
+        }
+        let [fifth, third] = [fifth / largest, third / largest];
+        largest * fifth * (fifth / Real::sqrt(fifth * fifth + 0.01 * third * third))
     }
 }
 
