@@ -4,7 +4,9 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::lanes::{self, Present, SixColumns};
-use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, difference, fetch, lend, split, triples, triples_mut};
+use crate::vectors::{
+    Columns, ColumnsMut, cut, cut_mut, difference, fetch, lend, read, split, store, triples, triples_mut,
+};
 
 /// Three columns and their residuals, read.
 #[derive(Clone, Copy)]
@@ -29,10 +31,19 @@ impl<R: Real> Carried<'_, R> {
         corrected(value, fetch(self.residual, to), fetch(self.residual, from))
     }
 
+    /// Vector `index`.
+    pub fn fetch(self, index: u32) -> [(R, R::Residual); 3] {
+        zip(fetch(self.value, index), fetch(self.residual, index))
+    }
+
+    /// The sum of vector `index` and an increment.
+    pub fn plus(self, index: u32, increment: [R; 3]) -> [(R, R::Residual); 3] {
+        zip(self.fetch(index), increment).map(|((value, residual), increment)| value.plus(residual, increment))
+    }
+
     /// Vector `index` in `f64`.
     pub fn exactly(self, index: u32) -> [f64; 3] {
-        let (value, residual) = (fetch(self.value, index), fetch(self.residual, index));
-        zip(value, residual).map(|(value, residual)| value.told(residual).to_f64())
+        self.fetch(index).map(|(value, residual)| value.told(residual).to_f64())
     }
 }
 
@@ -56,6 +67,18 @@ pub struct CarriedMut<'a, R: Real> {
 }
 
 impl<R: Real> CarriedMut<'_, R> {
+    /// Lent for reading.
+    #[inline(always)]
+    pub fn read(&self) -> Carried<'_, R> {
+        Carried { value: read(&self.value), residual: read(&self.residual) }
+    }
+
+    /// Sets vector `index`.
+    pub fn store(&mut self, index: u32, vector: [(R, R::Residual); 3]) {
+        store(&mut self.value, index, vector.map(|(value, _)| value));
+        store(&mut self.residual, index, vector.map(|(_, residual)| residual));
+    }
+
     /// Lent on.
     #[inline(always)]
     pub fn lend(&mut self) -> CarriedMut<'_, R> {

@@ -134,37 +134,29 @@ fn step<R: Real>(
         loop {
             let (part, hit) = advance_to_hit(view, stepper, rest, &mut report)?;
             span = span.at_least(part);
-            let Some(mut hit) = hit else {
+            cuts += u32::from(hit.is_some());
+            report.substeps += u32::from(hit.is_some());
+            let Some(mut hit) = hit.filter(|_| cuts < MOST_SUBSTEPS) else {
+                // To the end of the part: nothing is met before it, or too much to be followed one by one.
+                observer.advanced(view, part);
+                if cuts == MOST_SUBSTEPS {
+                    let answer = stop_all(view, observer.watches());
+                    view.attached().refuse_non_finite()?;
+                    report.capped += answer.hits;
+                    stopped = Some(answer);
+                }
                 if part >= rest {
                     break;
                 }
                 start.save(view);
-                observer.advanced(view, part);
+                let answer = stopped.take();
+                observer.lost_in_impacts(answer.map_or(0.0, |answer| answer.lost));
                 view.next.keep(view.system.plan.attached, &view.current);
-                view.commit(view.clock.later(part.to_f64()), false);
+                view.commit(view.clock.later(part.to_f64()), answer.is_some());
                 left -= part.to_f64();
                 (rest, cuts) = (R::from_f64(left), 0);
                 continue;
             };
-            report.substeps += 1;
-            cuts += 1;
-            if cuts == MOST_SUBSTEPS {
-                observer.advanced(view, part);
-                let answer = stop_all(view, observer.watches());
-                view.attached().refuse_non_finite()?;
-                report.capped += answer.hits;
-                if part >= rest {
-                    stopped = Some(answer);
-                    break;
-                }
-                start.save(view);
-                observer.lost_in_impacts(answer.lost);
-                view.next.keep(view.system.plan.attached, &view.current);
-                view.commit(view.clock.later(part.to_f64()), true);
-                left -= part.to_f64();
-                (rest, cuts) = (R::from_f64(left), 0);
-                continue;
-            }
             start.save(view);
             // Where the path does not meet the plane after all, the step is cut all the same: the rest is known better.
             let mut meets = true;
@@ -189,9 +181,6 @@ fn step<R: Real>(
             view.commit(view.clock.later(hit.tau.to_f64()), meets);
             rest -= hit.tau;
             left = rest.to_f64();
-        }
-        if stopped.is_none() {
-            observer.advanced(view, rest);
         }
     }
     let lost = match stepper.fly(view, from, &mut report) {

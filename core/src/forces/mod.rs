@@ -56,8 +56,8 @@ impl<R: Real> System<'_, R> {
     }
 
     /// M⁻¹ C u: what damping alone makes of any vectors u of all particles in place of their velocities, and what follows.
-    /// Where u lies along a plane that the particle is on, so does that. It is half to two thirds of the work of all forces.
-    /// Returns whether all of that is finite.
+    /// Where u lies along a plane that the particle is on, so does that. No roots are taken. Returns whether all of that is
+    /// finite.
     pub(crate) fn damping_then(
         &self,
         position: Carried<'_, R>,

@@ -2,7 +2,6 @@
 
 use super::verlet_stages::{Drift, Kick};
 use crate::Real;
-use crate::carried::Carried;
 use crate::roles::Stepper;
 use crate::shared::share;
 use crate::types::{Full, StepReport};
@@ -156,9 +155,8 @@ fn advance<R: Real>(
         predicted: lend(&mut next_velocity.value),
     };
     let drifted = share(drift, system.workers);
-    let next_x = Carried { value: read(&next_position.value), residual: read(&next_position.residual) };
     let predicted = read(&next_velocity.value);
-    system.accelerations(next_x, predicted, lend(&mut next_acceleration), report);
+    system.accelerations(next_position.read(), predicted, lend(&mut next_acceleration), report);
     let kick = Kick {
         lanes,
         dt,

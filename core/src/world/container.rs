@@ -10,10 +10,9 @@ use super::rest::{Mark, Watch};
 use super::storage::{Column, Fixed, Storage};
 use super::view::{Springs, State, System, View, incidences_of, told};
 use crate::Real;
-use crate::carried::CarriedMut;
 use crate::lanes::{Lanes, Present};
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
-use crate::vectors::{at, difference, fetch, put, read, size, store};
+use crate::vectors::{at, difference, fetch, put, read, size};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
@@ -150,8 +149,8 @@ impl<R: Real, M: Storage> Container<R, M> {
     pub fn set_position(&mut self, particle: u32, position: impl Into<R::Vec3>) -> Result<(), SetError> {
         let slot = self.slot(particle)?;
         let position = carried::<R>(position.into()).ok_or(SetError::NotFinite)?;
-        let [positions, _] = self.current_mut().apart();
-        put_carried(positions, slot, position);
+        let [mut positions, _] = self.current_mut().apart();
+        positions.store(slot, position);
         self.wake(slot);
         self.disturb();
         Ok(())
@@ -165,8 +164,8 @@ impl<R: Real, M: Storage> Container<R, M> {
     pub fn set_velocity(&mut self, particle: u32, velocity: impl Into<R::Vec3>) -> Result<(), SetError> {
         let slot = self.slot(particle)?;
         let velocity = carried::<R>(velocity.into()).ok_or(SetError::NotFinite)?;
-        let [_, velocities] = self.current_mut().apart();
-        put_carried(velocities, slot, velocity);
+        let [_, mut velocities] = self.current_mut().apart();
+        velocities.store(slot, velocity);
         self.wake(slot);
         self.disturb();
         Ok(())
@@ -189,11 +188,11 @@ impl<R: Real, M: Storage> Container<R, M> {
         let (Some(position), Some(velocity)) = (carried::<R>(position.into()), carried::<R>(velocity.into())) else {
             return Err(SetError::NotFinite);
         };
-        let [positions, velocities] = self.current_mut().apart();
+        let [mut positions, mut velocities] = self.current_mut().apart();
         let [former_position, former_velocity] =
             [fetch(read(&positions.value), slot), fetch(read(&velocities.value), slot)];
-        put_carried(positions, slot, position);
-        put_carried(velocities, slot, velocity);
+        positions.store(slot, position);
+        velocities.store(slot, velocity);
         let [position, velocity] = [position, velocity].map(|vector| vector.map(|(value, _)| value));
         if velocity != former_velocity || displaced(former_position, position) {
             self.wake(slot);
@@ -217,8 +216,8 @@ impl<R: Real, M: Storage> Container<R, M> {
             self.plan = None;
         }
         if hold == Hold::Pinned {
-            let [_, velocities] = self.current_mut().apart();
-            put_carried(velocities, slot, [(R::ZERO, R::NO_RESIDUAL); 3]);
+            let [_, mut velocities] = self.current_mut().apart();
+            velocities.store(slot, [(R::ZERO, R::NO_RESIDUAL); 3]);
         }
         self.wake(slot);
         self.disturb();
@@ -462,10 +461,4 @@ fn displaced<R: Real>(before: [R; 3], after: [R; 3]) -> bool {
 fn carried<R: Real>(vector: R::Vec3) -> Option<[(R, R::Residual); 3]> {
     let carried = vector.into().map(R::carry);
     carried.iter().all(|(value, _)| value.is_finite()).then_some(carried)
-}
-
-/// Sets the vector of a slot.
-fn put_carried<R: Real>(mut columns: CarriedMut<'_, R>, slot: u32, vector: [(R, R::Residual); 3]) {
-    store(&mut columns.value, slot, vector.map(|(value, _)| value));
-    store(&mut columns.residual, slot, vector.map(|(_, residual)| residual));
 }

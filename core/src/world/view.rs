@@ -6,7 +6,7 @@ use super::pieces::Words;
 use super::plan::Plan;
 use super::rest::Watch;
 use crate::Real;
-use crate::carried::{Carried, CarriedMut, zip};
+use crate::carried::{Carried, CarriedMut};
 use crate::lanes::Present;
 use crate::types::{Plane, Sleep, StepError};
 use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, store, window};
@@ -33,7 +33,7 @@ impl<R: Real> State<'_, R> {
     }
 
     /// Copies the residuals of another state, for the slots from `first` on.
-    pub fn copy_residuals_from(&mut self, first: u32, other: &State<'_, R>) {
+    fn copy_residuals_from(&mut self, first: u32, other: &State<'_, R>) {
         let columns = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
         let others = other.position_residual.iter().chain(&other.velocity_residual);
         columns.zip(others).for_each(|(column, other)| copy_from(column, other, first));
@@ -138,7 +138,7 @@ fn first<R>(column: &mut [R], count: u32) -> &mut [R] {
 
 /// The vector of a slot, as it is told at the surface.
 pub fn told<R: Real>(columns: Carried<'_, R>, slot: u32) -> R::Vec3 {
-    zip(fetch(columns.value, slot), fetch(columns.residual, slot)).map(|(value, residual)| value.told(residual)).into()
+    columns.fetch(slot).map(|(value, residual)| value.told(residual)).into()
 }
 
 /// Springs, and the springs of each slot.

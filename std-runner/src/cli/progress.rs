@@ -1,5 +1,6 @@
 //! How far a run is, on a terminal.
 
+use std::io::{IsTerminal, stderr};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -14,6 +15,19 @@ const BETWEEN_DRAWINGS: Duration = Duration::from_millis(100);
 const PARTS: f64 = 1e6;
 /// At most so many steps pass between two looks at the clock.
 const LONGEST_STRIDE: u32 = 4096;
+
+/// Between two turns of the sign that something goes on.
+const TURN: Duration = Duration::from_millis(120);
+
+/// A bar that counts the parts of a measurement of a scene; nothing where nobody looks.
+pub(super) fn counter(scene: &str) -> Option<ProgressBar> {
+    stderr().is_terminal().then(|| {
+        let bar = ProgressBar::with_draw_target(Some(1), ProgressDrawTarget::stderr());
+        let style = ProgressStyle::with_template("{spinner} {prefix}  {bar:30} {pos}/{len}  {msg}");
+        bar.enable_steady_tick(TURN);
+        bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())).with_prefix(scene.to_owned())
+    })
+}
 
 /// A bar with the time that is left, or nothing.
 pub(super) struct Bar {

@@ -1,6 +1,7 @@
 //! A scene from a file, with the flags of the command line in it.
 
 use std::path::Path;
+use std::time::Duration;
 
 use hooke::{Compensated, Real};
 
@@ -9,7 +10,7 @@ use super::print;
 use crate::advice::{Advice, vanishing_time_step};
 use crate::model::Model;
 use crate::scene::{Overrides, Precision, Scene, Settings, TimeStep};
-use crate::simulate::{BuildError, MOST, Start};
+use crate::simulate::{BuildError, MOST, RunError, Start};
 use crate::units::{count, counted};
 
 /// A scene that can be run.
@@ -79,6 +80,21 @@ pub(super) fn endless(settings: &Settings, start: &Start) -> Failure {
 pub(super) fn out_of_range(error: &BuildError) -> Failure {
     let message = format!("{} cannot be stepped in this precision: {}", error.place, error.reason);
     Failure::input(message, "use --precision f64, or values nearer to 1")
+}
+
+/// A scene that could not be measured.
+pub(super) fn not_measured(error: &RunError) -> Failure {
+    match error {
+        RunError::Build(error) => out_of_range(error),
+        other => Failure::failed(other.to_string(), "run it alone first: hooke run SCENE"),
+    }
+}
+
+/// `--longest`, in seconds.
+pub(super) fn longest(seconds: f64) -> Result<Duration, Failure> {
+    Duration::try_from_secs_f64(seconds).map_err(|error| {
+        Failure::input(format!("--longest {seconds}: {error}"), "write a number of seconds, such as 1")
+    })
 }
 
 /// One piece of advice, as a warning.

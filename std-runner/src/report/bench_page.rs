@@ -2,11 +2,11 @@
 
 use super::over_time::{energy_over_time, error_over_time};
 use super::page::{Block, Page, Section};
-use super::told::{advice, other_machine, reference_facts, rival_rows};
+use super::told::{advice, other_machine, reference_facts, rival_rows, run_cells};
 use super::work_precision::{Work, work_precision};
 use crate::bench::{Bench, Compared, Winner, machine, winners, yardstick};
 use crate::chart::ChartError;
-use crate::units::{bytes, count, joules, metres, metres_per_second, seconds};
+use crate::units::{joules, metres, metres_per_second, seconds};
 
 /// All scenes, one section each.
 ///
@@ -105,13 +105,8 @@ fn row(winner: &Winner) -> Vec<String> {
     let mut cells = vec![metres(winner.error)];
     if let Some((contender, point)) = winner.run {
         let known = |value: Option<f64>, shown: fn(f64) -> String| value.map_or_else(String::new, shown);
+        cells.extend(run_cells(contender, &point));
         cells.extend([
-            contender.to_string(),
-            seconds(point.time_step),
-            seconds(point.seconds),
-            count(point.force_evaluations),
-            count(point.iterations),
-            bytes(point.workspace as u128),
             known(point.velocity_error, metres_per_second),
             known(point.energy_residual, joules),
             known(point.bounce_time_error, seconds),

@@ -16,5 +16,5 @@ pub use page::{Block, Page, Section};
 pub use stability::stability_maps;
 pub use stress_page::stress_page;
 pub use stress_told::{found, limit_rows, limits_in_words, verdict_rows, wanting};
-pub use told::{advice, other_machine, reference_facts, rival_rows};
+pub use told::{advice, other_machine, reference_facts, rival_rows, run_cells};
 pub use work_precision::{Work, work_precision};

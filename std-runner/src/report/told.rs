@@ -1,7 +1,7 @@
 //! What measurements say, in words.
 
-use crate::bench::{Bench, Point, Recommended, Reference, Winner, recommended};
-use crate::units::{count, metres, seconds, short, times};
+use crate::bench::{Bench, Contender, Point, Recommended, Reference, Winner, recommended};
+use crate::units::{bytes, count, metres, seconds, short, times};
 
 /// What to use for which error.
 #[must_use]
@@ -83,4 +83,16 @@ pub fn reference_facts(reference: &Reference) -> Vec<String> {
 
 fn growth(growth: f64) -> String {
     if growth < 1e5 { short(growth) } else { format!("{growth:.1e}") }
+}
+
+/// A run in a table of winners: who, with which time step, and what it took.
+pub fn run_cells(contender: Contender, point: &Point) -> [String; 6] {
+    [
+        contender.to_string(),
+        seconds(point.time_step),
+        seconds(point.seconds),
+        count(point.force_evaluations),
+        count(point.iterations),
+        bytes(point.workspace as u128),
+    ]
 }

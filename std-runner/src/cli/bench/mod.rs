@@ -5,7 +5,6 @@ mod progress;
 mod told;
 
 use std::path::Path;
-use std::time::Duration;
 
 use super::Outcome;
 use super::arguments::BenchArguments;
@@ -13,9 +12,8 @@ use super::failure::Failure;
 use super::figures::Outputs;
 use super::interrupt;
 use super::print;
-use super::scene::{Loaded, out_of_range};
+use super::scene::{Loaded, longest, not_measured};
 use crate::bench::{Bench, Compared, Course, Kept, PEERS_RUN, Peer, Stamp, bench as measure, kept, peers};
-use crate::simulate::RunError;
 use crate::units::{count, counted};
 use progress::Told;
 
@@ -24,10 +22,7 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
     let load = |path| Loaded::load(path, &arguments.overrides);
     let scenes = arguments.scenes.iter().map(|path| load(path)).collect::<Result<Vec<_>, _>>()?;
     let outputs = Outputs::check(&arguments.out, &arguments.scenes)?;
-    let longest = Duration::try_from_secs_f64(arguments.longest).map_err(|error| {
-        let message = format!("--longest {}: {error}", arguments.longest);
-        Failure::input(message, "write a number of seconds, such as 1")
-    })?;
+    let longest = longest(arguments.longest)?;
     // Peers say how far they are off at the end.
     let compared = if arguments.against.is_some() { Compared::AtEnd } else { Compared::Throughout };
     let resumed = |scene| resumed(arguments.resume.as_deref(), scene, compared);
@@ -50,7 +45,9 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
         let told = Told::new(&course.settings.name);
         let measured = measure(&course, |news| told.tell(news));
         told.clear();
-        let Some(mut measured) = measured.map_err(|error| refused(&error))? else { return Ok(Outcome::Interrupted) };
+        let Some(mut measured) = measured.map_err(|error| not_measured(&error))? else {
+            return Ok(Outcome::Interrupted);
+        };
         measured.peers = peers;
         outputs.tell(&told::report(&measured))?;
         let is_interrupted = measured.interrupted;
@@ -64,13 +61,6 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<Outcome, Failure> {
     outputs.write_to_standard_output(benches.as_slice())?;
     let is_whole = benches.len() == scenes.len() && benches.iter().all(|bench| !bench.interrupted);
     Ok(if is_whole { Outcome::Done } else { Outcome::Interrupted })
-}
-
-fn refused(error: &RunError) -> Failure {
-    match error {
-        RunError::Build(error) => out_of_range(error),
-        other => Failure::failed(other.to_string(), "run it alone first: hooke run SCENE"),
-    }
 }
 
 /// What an earlier measurement of a scene has left to use.

@@ -2,8 +2,8 @@
 
 use crate::bench::{Bench, Winner, winners};
 use crate::cli::table::rows;
-use crate::report::{advice, other_machine, reference_facts, rival_rows};
-use crate::units::{bytes, count, metres, seconds};
+use crate::report::{advice, other_machine, reference_facts, rival_rows, run_cells};
+use crate::units::metres;
 
 pub(super) fn report(bench: &Bench) -> String {
     let mut lines = vec![bench.name.clone()];
@@ -31,19 +31,10 @@ pub(super) fn report(bench: &Bench) -> String {
 }
 
 fn row(winner: &Winner) -> [String; 7] {
-    let error = metres(winner.error);
-    match winner.run {
-        Some((contender, point)) => [
-            error,
-            contender.to_string(),
-            seconds(point.time_step),
-            seconds(point.seconds),
-            count(point.force_evaluations),
-            count(point.iterations),
-            bytes(point.workspace as u128),
-        ],
-        None => [error, "none".to_owned(), String::new(), String::new(), String::new(), String::new(), String::new()],
-    }
+    let nobody = || ["none", "", "", "", "", ""].map(str::to_owned);
+    let cells = winner.run.map_or_else(nobody, |(contender, point)| run_cells(contender, &point));
+    let [who, time_step, time, force_evaluations, iterations, workspace] = cells;
+    [metres(winner.error), who, time_step, time, force_evaluations, iterations, workspace]
 }
 
 /// The fastest of others at each error.

@@ -5,16 +5,13 @@ mod progress;
 mod table;
 mod terminal;
 
-use std::time::Duration;
-
 use super::Outcome;
 use super::arguments::StressArguments;
 use super::failure::Failure;
 use super::figures::Outputs;
 use super::interrupt;
-use super::scene::{Loaded, out_of_range};
+use super::scene::{Loaded, longest, not_measured};
 use crate::scene::Overrides;
-use crate::simulate::RunError;
 use crate::stress::battery::Effort;
 use crate::stress::{Ask, Stressed, stress_bodies, stress_scene};
 use progress::Told;
@@ -34,7 +31,7 @@ pub(super) fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
         let told = Told::new(&settings.name);
         let stressed = stress_scene(&loaded.model, settings, &ask, interrupted, |news| told.tell(news));
         told.clear();
-        let stressed = stressed.map_err(|error| refused(&error))?;
+        let stressed = stressed.map_err(|error| not_measured(&error))?;
         outputs.tell(&terminal::scene(&loaded.model, &stressed))?;
         all.push(stressed);
         // After each scene, so that what is done is safe.
@@ -65,17 +62,6 @@ fn ended(all: &[Stressed]) -> Result<Outcome, Failure> {
 
 fn effort(arguments: &StressArguments) -> Result<Effort, Failure> {
     let usual = if arguments.thorough { 120.0 } else { 2.0 };
-    let longest = arguments.longest.unwrap_or(usual);
-    let longest = Duration::try_from_secs_f64(longest).map_err(|error| {
-        let message = format!("--longest {longest}: {error}");
-        Failure::input(message, "write a number of seconds, such as 1")
-    })?;
+    let longest = longest(arguments.longest.unwrap_or(usual))?;
     Ok(Effort { longest, steps: if arguments.thorough { THOROUGH } else { 1.0 } })
-}
-
-fn refused(error: &RunError) -> Failure {
-    match error {
-        RunError::Build(error) => out_of_range(error),
-        other => Failure::failed(other.to_string(), "run it alone first: hooke run SCENE"),
-    }
 }

@@ -1,15 +1,10 @@
 //! How far a measurement is, on a terminal.
 
-use std::io::{IsTerminal, stderr};
-use std::time::Duration;
-
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 
 use super::terminal;
+use crate::cli::progress::counter;
 use crate::stress::News;
-
-/// Between two turns of the sign that it goes on.
-const TURN: Duration = Duration::from_millis(120);
 
 /// A bar that counts cases, with a line above it for what is done; nothing where nobody looks.
 pub(super) struct Told {
@@ -18,13 +13,7 @@ pub(super) struct Told {
 
 impl Told {
     pub(super) fn new(scene: &str) -> Self {
-        let bar = stderr().is_terminal().then(|| {
-            let bar = ProgressBar::with_draw_target(Some(1), ProgressDrawTarget::stderr());
-            let style = ProgressStyle::with_template("{spinner} {prefix}  {bar:30} {pos}/{len}  {msg}");
-            bar.enable_steady_tick(TURN);
-            bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())).with_prefix(scene.to_owned())
-        });
-        Self { bar }
+        Self { bar: counter(scene) }
     }
 
     pub(super) fn tell(&self, news: News<'_>) {
