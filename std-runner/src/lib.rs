@@ -1,5 +1,6 @@
 //! Runs Hooke's scenes from the desktop.
 
+pub mod accuracy;
 pub mod advice;
 pub mod bench;
 pub mod chart;

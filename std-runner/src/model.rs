@@ -69,6 +69,21 @@ pub struct Model {
 }
 
 impl Model {
+    /// The largest distance of a particle from the middle of all, m; 1 where all are at one place.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let count = self.particles.len().max(1) as f64;
+        let middle = self
+            .particles
+            .iter()
+            .fold([0.0; 3], |sum, particle| [0, 1, 2].map(|axis| sum[axis] + particle.position[axis] / count));
+        let far = self.particles.iter().fold(0.0_f64, |far, particle| {
+            let square: f64 = particle.position.iter().zip(middle).map(|(x, m)| (x - m) * (x - m)).sum();
+            far.max(square.sqrt())
+        });
+        if far > 0.0 { far } else { 1.0 }
+    }
+
     /// How many springs have damping.
     #[must_use]
     pub fn damped_springs(&self) -> usize {

@@ -5,9 +5,11 @@
 // A yardstick that cannot be made is a mistake in a test, and a test says so by stopping.
 #![allow(clippy::expect_used)]
 
+pub mod accuracies;
 pub mod bounce_runs;
 pub mod dense;
 pub mod digest;
+pub mod drawn;
 pub mod energy;
 pub mod graphs;
 pub mod linearisation;

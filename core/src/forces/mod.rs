@@ -16,8 +16,8 @@ use crate::Real;
 use crate::carried::Carried;
 use crate::shared::share;
 use crate::types::StepReport;
-use crate::vectors::{Columns, ColumnsMut};
-use crate::world::System;
+use crate::vectors::{Columns, ColumnsMut, fetch, read};
+use crate::world::{System, View};
 
 pub(crate) use acceleration::{Acceleration, Rest, Tile};
 pub(crate) use net::pull;
@@ -80,5 +80,21 @@ impl<R: Real> System<'_, R> {
         let slots = 0..self.plan.particles;
         let whole = Accelerations { system: self, position, velocity, slots, out, then, tension, window: None };
         share(whole, self.workers)
+    }
+}
+
+impl<R: Real> View<'_, R> {
+    /// How fast the velocities of all particles change (m/s²), in the order of their numbers: gravity and springs, and 0 for
+    /// what is held or sleeps. It costs one evaluation of all forces. Impacts, and planes that hold up what rests on them,
+    /// are not in it.
+    pub fn accelerations(&mut self) -> impl Iterator<Item = R::Vec3> {
+        // Nobody needs the next state between two steps.
+        self.next.velocity.iter_mut().for_each(|column| column.fill(R::ZERO));
+        let awake = self.awake();
+        let system = System { support: false, ..awake.system };
+        let (position, velocity) = (awake.current.carried_position(), awake.current.carried_velocity());
+        system.accelerations(position, velocity.value, awake.next.velocity, &mut StepReport::default());
+        let accelerations = read(&self.next.velocity);
+        self.slot_of.iter().map(move |slot| fetch(accelerations, *slot).map(|a| a.told(R::NO_RESIDUAL)).into())
     }
 }

@@ -21,6 +21,10 @@ pub type World<R, const PARTICLES: usize, const SPRINGS: usize, const PLANES: us
     Container<R, Fixed<PARTICLES, SPRINGS, PLANES>>;
 
 /// Particles, springs and planes, in whatever columns `M` provides.
+///
+/// A clone is a place to come back to. Steppers remember of one world what they made of it: what steps a clone is one of its
+/// own, or one that is new.
+#[derive(Clone)]
 pub struct Container<R: Real, M: Storage> {
     particles: ParticleColumns<R, M>,
     springs: SpringColumns<R, M>,

@@ -16,6 +16,7 @@ pub struct Incidence {
 }
 
 /// Positions and velocities: 6 reals a particle, and as many residuals where numbers have any.
+#[derive(Clone)]
 pub struct StateColumns<R: Real, M: Storage> {
     /// m
     pub position: [M::Particles<R>; 3],
@@ -33,6 +34,7 @@ pub struct StateColumns<R: Real, M: Storage> {
 /// Particles are kept in *slots*: first those that springs pull at, then those in free flight, each in the order of
 /// their numbers; where islands may sleep, as `islands.rs` says, and where a mesh is numbered badly, as `renumber.rs`
 /// says. Nobody outside sees a slot.
+#[derive(Clone)]
 pub struct ParticleColumns<R: Real, M: Storage> {
     /// The state now and the state that a step is making: 12 reals. A step that fails leaves the first untouched.
     pub state: [StateColumns<R, M>; 2],
@@ -53,6 +55,7 @@ pub struct ParticleColumns<R: Real, M: Storage> {
 /// What a spring has: 3 reals and 34 bytes, that is 46 bytes in `f32` and 58 in `f64`.
 ///
 /// They are kept in the order in which their forces are added (`order.rs`).
+#[derive(Clone)]
 pub struct SpringColumns<R: Real, M: Storage> {
     /// The slots of its particles, the lower first once they are in order: 8 bytes.
     pub ends: M::Springs<[u32; 2]>,

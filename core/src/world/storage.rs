@@ -3,7 +3,7 @@
 use crate::types::Full;
 
 /// A growable array: one quantity of all particles, springs or planes.
-pub trait Column<T: Copy> {
+pub trait Column<T: Copy>: Clone {
     /// Without any items.
     const EMPTY: Self;
     /// All items.

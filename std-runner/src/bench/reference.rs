@@ -63,7 +63,7 @@ impl Reference {
             ..settings.clone()
         };
         let bound = Start::of::<f64>(model, &settings)?.bound;
-        let size = size(model);
+        let size = model.size();
         let runs = Runs { settings: &settings, interrupted };
         let longest = bound.map_or(f64::INFINITY, |bound| bound.dop853());
         let first = steps_of(settings.duration, longest, MOMENTS);
@@ -182,20 +182,6 @@ fn confirming(model: &Model) -> (StepperName, u64) {
 pub fn steps_of(duration: f64, time_step: f64, checkpoints: u64) -> u64 {
     let between = duration / checkpoints as f64;
     checkpoints * ((between / time_step).ceil().max(1.0) as u64)
-}
-
-/// The largest distance of a particle from the middle of all, m; 1 where all are at one place.
-fn size(model: &Model) -> f64 {
-    let count = model.particles.len().max(1) as f64;
-    let middle = model
-        .particles
-        .iter()
-        .fold([0.0; 3], |sum, particle| [0, 1, 2].map(|axis| sum[axis] + particle.position[axis] / count));
-    let far = model.particles.iter().fold(0.0_f64, |far, particle| {
-        let square: f64 = particle.position.iter().zip(middle).map(|(x, m)| (x - m) * (x - m)).sum();
-        far.max(square.sqrt())
-    });
-    if far > 0.0 { far } else { 1.0 }
 }
 
 /// With every particle that is free moved a little, to and fro.

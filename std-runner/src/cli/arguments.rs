@@ -22,6 +22,11 @@ Examples:
   hooke run cloth.toml --out cloth.csv --out cloth.npz    both
   hooke run cloth.toml --out - --frame-rate 10            CSV to standard output
   hooke run cloth.toml --stepper velocity-verlet --time-step 1e-4 --precision f64
+  hooke run cloth.toml --max-error 1e-4 --out cloth.npz   no particle farther than 0.1 mm from where it should be
+
+With --max-error pilot runs over the beginning find what is likely the cheapest stepper, precision and time step, in place of
+the scene's; flags beside it are kept to. A second run beside the first, in longer steps, tells how far off it is; where that
+is too much, both go back and on in shorter steps, or begin anew. The summary tells the error, or until when it holds.
 
 CSV has a row for each particle of each frame: frame,time,particle,x,y,z,vx,vy,vz (s, m, m/s).
 NPZ has the arrays time (F), position (F, P, 3), velocity (F, P, 3), springs (S, 2).

@@ -12,7 +12,7 @@ use crate::advice::{Subject, advise, limit_in_words, needed, skipped};
 use crate::model::{Hold, Model};
 use crate::scene::{Settings, StepperName, TimeStep};
 use crate::simulate::{Start, choose_time_step, largest_stable_step};
-use crate::units::{bytes, count, counted, seconds};
+use crate::units::{bytes, count, counted, metres, seconds};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
@@ -88,6 +88,14 @@ fn sleep(settings: &Settings, start: &Start) -> String {
 
 fn steps(settings: &Settings, start: &Start) -> String {
     let (number, duration) = (start.schedule.steps(), seconds(settings.duration));
+    if let Some(asked) = settings.max_error {
+        let free = if asked.stepper.is_some() { "" } else { "stepper, " };
+        let precision = if asked.precision.is_some() { "" } else { "precision and " };
+        return format!(
+            "{free}{precision}time step are found by pilot runs for an error of {} at most",
+            metres(asked.error)
+        );
+    }
     let Some(time_step) = start.time_step else {
         return format!("{} for {duration}, from frame to frame: particles fly exactly", count(number));
     };

@@ -16,6 +16,7 @@ mod scene;
 mod stress;
 mod table;
 mod told;
+mod within;
 
 use std::process::ExitCode;
 

@@ -15,6 +15,7 @@ use super::print;
 use super::progress::Bar;
 use super::scene::{Loaded, endless, out_of_range, warn};
 use super::told;
+use super::within;
 use crate::advice::{Subject, advise};
 use crate::record::Element;
 use crate::scene::{Precision, Settings};
@@ -24,6 +25,9 @@ use crate::units::counted;
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
     let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
+    if let Some(asked) = loaded.scene.settings().max_error {
+        return within::run_within(&loaded, &asked, &outputs, arguments);
+    }
     match loaded.scene.settings().precision {
         Precision::F32 => run_in::<f32>(&loaded, &outputs, arguments),
         Precision::F32Compensated => run_in::<Compensated>(&loaded, &outputs, arguments),
@@ -42,25 +46,29 @@ fn run_in<R: Stepped>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArgumen
     // Rows that scroll past and a bar that stays do not go together.
     let rows_on_terminal = outputs.to_standard_output() && stdout().is_terminal();
     let progress = Bar::new(stderr().is_terminal() && !rows_on_terminal);
-    let options = Options {
-        ledger: !arguments.no_ledger,
-        threads: arguments.threads.map(NonZeroU32::get),
-        interrupted: interrupt::watch(),
-        progress: &progress,
-    };
+    let options = options(arguments, &progress);
     let ran = simulate::<R>(model, settings, begin, &options);
     progress.clear();
     match ran {
         Ok(summary) => {
             let files = outputs.names();
-            print::message(&told::summary(settings, &summary, &files));
+            print::message(&told::summary(settings, &summary, None, &files));
             told::outcome(model, settings, &summary, !files.is_empty())
         }
         Err(error) => stopped(error, settings, outputs),
     }
 }
 
-fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Outcome, Failure> {
+pub(super) fn options<'a>(arguments: &RunArguments, progress: &'a Bar) -> Options<'a> {
+    Options {
+        ledger: !arguments.no_ledger,
+        threads: arguments.threads.map(NonZeroU32::get),
+        interrupted: interrupt::watch(),
+        progress,
+    }
+}
+
+pub(super) fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Outcome, Failure> {
     match error {
         RunError::Build(error) => Err(out_of_range(&error)),
         RunError::Endless(start) => Err(endless(settings, &start)),

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use crate::model::CameraChoice;
 
 use super::generators::{Block, Cloth, Cloud, MeshEntry, Rope};
+use super::max_error::MaxError;
 use super::names::{CollisionForm, Precision, StepperName};
 use super::particle::Particle;
 use super::plane::Plane;
@@ -36,10 +37,15 @@ pub(super) struct SceneFile {
     /// How the state is stepped.
     pub(super) stepper: StepperName,
     /// The numbers that the run computes with.
-    pub(super) precision: Precision,
+    #[schemars(with = "Precision", extend("default" = "f32"))]
+    pub(super) precision: Option<Precision>,
     /// Implicit steppers: the relative residual at which a step counts as solved, more than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub(super) tolerance: f64,
+    /// The largest distance of any particle from where it should be, m, more than 0. The time step is then found for it, and
+    /// so are the stepper, where it is "auto", and the precision, where it is left out.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub(super) max_error: Option<f64>,
     /// What happens to a particle that meets a plane.
     pub(super) collision: CollisionForm,
     /// Islands, the parts that springs connect, whose particles have all been slower than this for a second sleep:
@@ -76,7 +82,8 @@ impl Default for SceneFile {
             time_step: TimeStep::default(),
             frame_rate: FRAME_RATE,
             stepper: StepperName::default(),
-            precision: Precision::default(),
+            precision: None,
+            max_error: None,
             tolerance: TOLERANCE,
             collision: CollisionForm::default(),
             sleep_speed: None,
@@ -103,10 +110,16 @@ impl SceneFile {
             time_step: self.time_step,
             frame_rate: self.frame_rate,
             stepper: self.stepper,
-            precision: self.precision,
+            precision: self.precision.unwrap_or_default(),
             tolerance: self.tolerance,
             collision: self.collision,
             sleep_speed: self.sleep_speed,
+            max_error: self.max_error.map(|error| MaxError {
+                error,
+                stepper: Some(self.stepper).filter(|stepper| *stepper != StepperName::Auto),
+                precision: self.precision,
+                collision: Some(self.collision),
+            }),
             camera: self.camera.clone(),
         }
     }

@@ -5,6 +5,7 @@ mod error;
 mod excerpt;
 mod file;
 mod generators;
+mod max_error;
 mod names;
 mod obj;
 mod overrides;
@@ -31,6 +32,7 @@ use size::Size;
 use std::ops::Add;
 
 pub use error::SceneError;
+pub use max_error::MaxError;
 pub use names::{CollisionForm, Precision, StepperName};
 pub use overrides::Overrides;
 pub use schema::schema;

@@ -4,6 +4,7 @@ use crate::model::CameraChoice;
 
 use super::checks;
 use super::error::Problem;
+use super::max_error::MaxError;
 use super::names::{CollisionForm, Precision, StepperName};
 use super::time_step::TimeStep;
 
@@ -30,6 +31,8 @@ pub struct Settings {
     pub collision: CollisionForm,
     /// m/s, more than 0: islands slower than this for a second sleep. Nothing sleeps without it.
     pub sleep_speed: Option<f64>,
+    /// How far off it may be at most; the stepper, the precision and the time step are then found for it.
+    pub max_error: Option<MaxError>,
     /// Where the pictures are taken from.
     pub camera: CameraChoice,
 }
@@ -59,6 +62,13 @@ impl Settings {
         checks::positive("tolerance", self.tolerance, "relative residual")?;
         if let Some(speed) = self.sleep_speed {
             checks::positive("sleep_speed", speed, "metres per second")?;
+        }
+        if let Some(MaxError { error, .. }) = self.max_error {
+            checks::positive("max_error", error, "metres")?;
+            if let TimeStep::Seconds(seconds) = self.time_step {
+                let rule = "it must be left out, or \"auto\", where max_error is given: time steps are chosen for that";
+                return Err(Problem::new("time_step", seconds, rule, "leave out one of the two"));
+            }
         }
         check_camera(&self.camera).map_err(|problem| problem.inside("camera"))
     }

@@ -51,7 +51,7 @@ impl Anchor {
     }
 
     /// A place that is seen from there, as it is in the scene, m.
-    pub(super) fn in_scene<R: Real>(self, place: [R; 3]) -> [R; 3] {
+    pub(crate) fn in_scene<R: Real>(self, place: [R; 3]) -> [R; 3] {
         let Some([x, y, z]) = self.0 else { return place };
         let [u, v, w] = place.map(R::to_f64);
         [u + x, v + y, w + z].map(R::from_f64)

@@ -3,6 +3,7 @@
 use hooke::{Balance, Ledger, Observer, Real, View};
 
 /// An energy ledger that notes when impacts were answered.
+#[derive(Clone, Debug)]
 pub struct Audit {
     ledger: Ledger,
     /// The end of what was stepped last, s.

@@ -14,7 +14,7 @@ pub struct Heap;
 /// A step runs through a dozen columns at the same index. If all of them began at the same place of a memory page, as
 /// large allocations do, those items would all fall into one set of the first cache, which holds eight lines: each
 /// column begins a few cache lines further on than the one before.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct HeapColumn<T> {
     /// As many items as it takes to begin at the right place, then the column's own.
     items: Vec<T>,
@@ -58,6 +58,18 @@ impl<T: Copy> HeapColumn<T> {
         items.resize(start, filler);
         items.extend_from_slice(self.items());
         *self = Self { items, start, place: Some(place) };
+    }
+}
+
+impl<T: Copy> Clone for HeapColumn<T> {
+    fn clone(&self) -> Self {
+        let mut clone = Self::EMPTY;
+        if let [first, ..] = self.items() {
+            // Its items lie elsewhere, and begin at a place of their own.
+            clone.grow(self.items().len(), *first);
+            clone.items.extend_from_slice(self.items());
+        }
+        clone
     }
 }
 

@@ -13,12 +13,15 @@ mod summary;
 mod threads;
 mod time_step;
 mod tracks;
+mod walk;
 
 use hooke::Real;
 
 use crate::record::Sample;
 
 pub use anchor::Anchor;
+pub(crate) use audit::Audit;
+pub(crate) use build::world_with;
 pub use build::{BuildError, HeapWorld, world};
 pub use heap::{Heap, HeapColumn};
 pub use method::{AnyResponse, AnyStepper, FILL};
@@ -27,6 +30,8 @@ pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
 pub use threads::Threads;
 pub use time_step::{choose_time_step, largest_stable_step};
+pub(crate) use tracks::Tracks;
+pub(crate) use walk::Walk;
 
 /// A number that worlds can be made of whose coordinates can be recorded.
 pub trait Stepped: Real<Coordinate: Sample> {}

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use hooke::{Balance, LinearSolver, Observer, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
+use hooke::{Balance, LinearSolver, Plan, Real, StabilityBound, StepError, StepReport, Workers};
 
 use super::Stepped;
 use super::anchor::Anchor;
@@ -11,12 +11,13 @@ use super::audit::Audit;
 use super::build::{BuildError, HeapWorld, world_with};
 use super::frames::Frames;
 use super::heap::bytes_filled;
-use super::method::{AnyResponse, AnyStepper};
+use super::method::AnyStepper;
 use super::schedule::{MOST, Schedule};
 use super::summary::{Ending, Summary};
 use super::threads::Threads;
 use super::time_step::choose_time_step;
 use super::tracks::Tracks;
+use super::walk::Walk;
 use crate::model::Model;
 use crate::record::{BoxedRecorder, RecordError, Stopped};
 use crate::scene::Settings;
@@ -135,12 +136,7 @@ pub fn run<R: Stepped>(
     let mut run = Run {
         frames: Frames::new(start.schedule, anchor, recorders, model.particles.len()).map_err(RunError::Thread)?,
         summary: Summary::before(start),
-        method: Method {
-            stepper: AnyStepper::named(settings.stepper, settings.tolerance),
-            response: AnyResponse::named(settings.collision),
-            audit: options.ledger.then(|| Audit::open(&world.view())),
-        },
-        threads: threads.as_ref(),
+        walk: Walk::new(settings, options.ledger.then(|| Audit::open(&world.view())), threads.as_ref()),
     };
     let began = Instant::now();
     // Where recording has stopped, what became of the frames says why.
@@ -158,21 +154,14 @@ pub fn run<R: Stepped>(
     let view = world.view();
     run.summary.time = view.time();
     run.summary.islands_asleep = view.plan().islands_asleep;
-    run.summary.balance = run.method.audit.map(|audit| audit.balance(&view));
+    run.summary.balance = run.walk.audit.map(|audit| audit.balance(&view));
     Ok(run.summary)
 }
 
-struct Method<R: Stepped> {
-    stepper: AnyStepper<R>,
-    response: AnyResponse<R>,
-    audit: Option<Audit>,
-}
-
 struct Run<'a, R: Stepped> {
-    threads: Option<&'a Threads>,
     frames: Frames<R>,
     summary: Summary,
-    method: Method<R>,
+    walk: Walk<'a, R>,
 }
 
 impl<R: Stepped> Run<'_, R> {
@@ -199,7 +188,7 @@ impl<R: Stepped> Run<'_, R> {
             if self.frames.have_stopped() {
                 return Err(Stopped);
             }
-            self.frames.before_step(world, &mut self.method.stepper, step);
+            self.frames.before_step(world, &mut self.walk.stepper, step);
             if let Err(error) = self.step(world, tracks, step) {
                 self.summary.ending = match error {
                     StepError::NonFinite { particle } => Ending::NonFinite { particle },
@@ -211,7 +200,7 @@ impl<R: Stepped> Run<'_, R> {
             self.frames.after_step(&world.view(), step)?;
             let time = schedule.step_end(step);
             options.progress.reached(time, schedule.step_end(schedule.steps()));
-            if let Some(audit) = &mut self.method.audit {
+            if let Some(audit) = &mut self.walk.audit {
                 options.progress.cut(&mut audit.cuts());
                 options.progress.balanced(time, &mut || audit.balance(&world.view()));
             }
@@ -223,58 +212,17 @@ impl<R: Stepped> Run<'_, R> {
     fn step(&mut self, world: &mut HeapWorld<R>, tracks: &Tracks<'_>, step: u64) -> Result<(), StepError> {
         let schedule = self.summary.schedule;
         let (start, end) = (schedule.step_end(step - 1), schedule.step_end(step));
-        let mut from = start;
-        for stop in tracks.stops(start, end) {
-            tracks.drive(world, from, stop).map_err(|_| StepError::TimeStep)?;
-            let length = if stop - from < end - start { stop - from } else { schedule.step_length(step) };
-            let mut view = world.view();
-            if let Some(threads) = self.threads {
-                view.share_among(threads);
-            }
-            let report = self.method.step(&mut view, R::from_f64(length), stop)?;
-            self.count(&report);
-            from = stop;
-        }
+        let summary = &mut self.summary;
+        let count = &mut |report: &StepReport| summary.count(report);
+        self.walk.step(world, tracks, start..end, schedule.step_length(step), count)?;
         // A shortened last step may be within bounds that the others are not: it says nothing of the run.
         let whole = schedule.short_step().is_none() || step < schedule.steps();
-        if let Some(choice) = self.method.stepper.choice()
+        if let Some(choice) = self.walk.stepper.choice()
             && whole
             && self.summary.choices.iter().all(|other| other.chosen != choice.chosen)
         {
             self.summary.choices.push(choice);
         }
         Ok(())
-    }
-
-    fn count(&mut self, report: &StepReport) {
-        let summary = &mut self.summary;
-        summary.hits += u64::from(report.hits);
-        summary.capped += u64::from(report.capped);
-        summary.degenerate_springs = summary.degenerate_springs.max(report.degenerate_springs);
-        summary.force_evaluations += u64::from(report.force_evaluations);
-        summary.iterations += u64::from(report.iterations);
-        summary.linear_iterations += u64::from(report.linear_iterations);
-        summary.factorisations += u64::from(report.factorisations);
-        summary.unconverged += u64::from(!report.converged);
-        summary.residual = summary.residual.max(report.residual);
-    }
-}
-
-impl<R: Stepped> Method<R> {
-    fn step(&mut self, view: &mut View<'_, R>, length: R, end: f64) -> Result<StepReport, StepError> {
-        fn take<R: Stepped>(
-            view: &mut View<'_, R>,
-            stepper: &mut AnyStepper<R>,
-            response: &mut AnyResponse<R>,
-            length: R,
-            end: f64,
-            observer: &mut impl Observer<R>,
-        ) -> Result<StepReport, StepError> {
-            view.step_to(stepper, response, length, end, observer)
-        }
-        match &mut self.audit {
-            Some(audit) => take(view, &mut self.stepper, &mut self.response, length, end, audit),
-            None => take(view, &mut self.stepper, &mut self.response, length, end, &mut ()),
-        }
     }
 }

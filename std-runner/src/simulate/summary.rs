@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use hooke::{Balance, Choice, LinearSolver, Plan, StabilityBound, StepError};
+use hooke::{Balance, Choice, LinearSolver, Plan, StabilityBound, StepError, StepReport};
 
 use super::run::Start;
 use super::schedule::Schedule;
@@ -82,7 +82,7 @@ pub struct Summary {
 
 impl Summary {
     /// Before the first step.
-    pub(super) fn before(start: Start) -> Self {
+    pub(crate) fn before(start: Start) -> Self {
         Self {
             ending: Ending::Finished,
             time: 0.0,
@@ -111,6 +111,19 @@ impl Summary {
             workspace: 0,
             residual: 0.0,
         }
+    }
+
+    /// Adds what a step, or a part of one, reports.
+    pub(crate) fn count(&mut self, report: &StepReport) {
+        self.hits += u64::from(report.hits);
+        self.capped += u64::from(report.capped);
+        self.degenerate_springs = self.degenerate_springs.max(report.degenerate_springs);
+        self.force_evaluations += u64::from(report.force_evaluations);
+        self.iterations += u64::from(report.iterations);
+        self.linear_iterations += u64::from(report.linear_iterations);
+        self.factorisations += u64::from(report.factorisations);
+        self.unconverged += u64::from(!report.converged);
+        self.residual = self.residual.max(report.residual);
     }
 
     /// Whether the run is what was asked for.

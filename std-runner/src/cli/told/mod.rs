@@ -1,8 +1,10 @@
 //! What is told of a run after it.
 
+mod accuracy;
 mod ending;
 mod ledger;
 mod summary;
 
+pub(super) use accuracy::held;
 pub(super) use ending::outcome;
 pub(super) use summary::summary;

@@ -1,6 +1,8 @@
 //! What a run did, in a page.
 
+use super::accuracy::accuracy;
 use super::ledger::ledger;
+use crate::accuracy::Attained;
 use crate::advice::skipped;
 use crate::cli::table::rows;
 use crate::scene::Settings;
@@ -8,8 +10,20 @@ use crate::simulate::{Ending, Summary};
 use crate::units::{count, counted, seconds};
 
 /// All of it, for standard error.
-pub(in crate::cli) fn summary(settings: &Settings, summary: &Summary, files: &[String]) -> String {
-    let mut facts = vec![fact("reached", reached(settings, summary)), fact("steps", steps(settings, summary))];
+pub(in crate::cli) fn summary(
+    settings: &Settings,
+    summary: &Summary,
+    attained: Option<&Attained>,
+    files: &[String],
+) -> String {
+    let mut facts = vec![fact("reached", reached(settings, summary))];
+    match attained {
+        Some(attained) => {
+            facts.push(fact("steps", steps_within(settings, summary, attained)));
+            facts.extend(accuracy(attained));
+        }
+        None => facts.push(fact("steps", steps(settings, summary))),
+    }
     facts.extend(summary.choices.iter().map(|choice| fact("auto chose", choice.to_string())));
     facts.push(fact("frames", frames(summary, files)));
     facts.push(fact("wall time", wall_time(summary)));
@@ -47,7 +61,7 @@ fn fact(name: &str, value: String) -> [String; 2] {
 
 fn reached(settings: &Settings, summary: &Summary) -> String {
     let duration = seconds(settings.duration);
-    if summary.steps == summary.schedule.steps() {
+    if summary.time >= settings.duration {
         format!("{duration}, the whole duration")
     } else {
         format!("{} of {duration}", seconds(summary.time))
@@ -66,6 +80,15 @@ fn steps(settings: &Settings, summary: &Summary) -> String {
         _ => String::new(),
     };
     format!("{} of {}, {}, {precision}{last}", count(summary.steps), seconds(time_step), settings.stepper)
+}
+
+fn steps_within(settings: &Settings, summary: &Summary, attained: &Attained) -> String {
+    let (shortest, longest) = attained.time_steps;
+    let lengths = match [shortest, longest].map(seconds) {
+        [shortest, longest] if shortest == longest => shortest,
+        [shortest, longest] => format!("{shortest} to {longest}"),
+    };
+    format!("{} of {lengths}, {}, {}", count(summary.steps), settings.stepper, settings.precision)
 }
 
 fn frames(summary: &Summary, files: &[String]) -> String {

@@ -101,6 +101,7 @@ fn settings(gravity: [f64; 3], duration: f64) -> Settings {
         tolerance: 1e-9,
         collision: CollisionForm::TimeOfImpact,
         sleep_speed: None,
+        max_error: None,
         camera: CameraChoice::default(),
     }
 }
