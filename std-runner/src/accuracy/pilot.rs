@@ -18,7 +18,7 @@ const STEPS: (f64, f64) = (4.0, 20_000.0);
 /// Times at which pilots are compared.
 const CHECKPOINTS: u64 = 4;
 /// Where nothing limits steps they are this part of the duration.
-pub(super) const UNLIMITED: f64 = 1.0 / 64.0;
+pub(super) const UNLIMITED: f64 = 1.0 / 16.0;
 
 /// The method of highest order that can step a scene.
 pub(super) fn highest(model: &Model) -> StepperName {
