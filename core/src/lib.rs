@@ -95,9 +95,9 @@ pub use roles::{Observer, Response, Stepper};
 pub use solve::{Elimination, LinearSolver};
 pub use stability::StabilityBound;
 pub use steppers::{
-    Adaptive, AdaptiveDop853, AdaptiveDormandPrinceRkn8, Auto, BlanesMoanS6, Choice, Chosen, Dop853, DormandPrinceRkn8,
-    ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint, Rk4, RungeKutta, SemiImplicitEuler,
-    TrBdf2, VelocityVerlet,
+    Adaptive, AdaptiveDop853, AdaptiveDormandPrinceRkn8, Auto, BlanesMoanS6, Choice, Chosen, DenseOutput, Dop853,
+    DormandPrinceRkn8, ExplicitEuler, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint, Rk4, RungeKutta,
+    SemiImplicitEuler, TrBdf2, VelocityVerlet,
 };
 pub use types::*;
 pub use workers::Workers;

@@ -43,6 +43,12 @@ pub trait Stepper<R: Real> {
     /// It has failed: what takes steps in parts makes the state what it was.
     fn fails(&mut self, _view: &mut View<'_, R>) {}
 
+    /// The world as it is `after` seconds, at most `dt`, into the step of `dt` that has just been made from the current state to
+    /// the next one, collisions aside; nothing if it cannot tell.
+    fn between<'a>(&'a mut self, _view: &'a mut View<'_, R>, _dt: R, _after: R) -> Option<View<'a, R>> {
+        None
+    }
+
     /// The order of its accuracy.
     fn order(&self) -> u32;
 
@@ -98,6 +104,11 @@ pub trait Observer<R: Real> {
     /// The stepper has written the state `dt` seconds after the current one to the next one; collisions have not been
     /// answered yet.
     fn advanced(&mut self, view: &mut View<'_, R>, dt: R);
+
+    /// The same, with who advanced: it may be able to tell what is between the two states.
+    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, _stepper: &mut impl Stepper<R>) {
+        self.advanced(view, dt);
+    }
 
     /// Impacts have taken this energy, J.
     fn lost_in_impacts(&mut self, energy: f64);

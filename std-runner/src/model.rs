@@ -69,7 +69,13 @@ pub struct Model {
 }
 
 impl Model {
-    /// The largest distance of a particle from the middle of all, m; 1 where all are at one place.
+    /// How many springs have damping.
+    #[must_use]
+    pub fn damped_springs(&self) -> usize {
+        self.springs.iter().filter(|spring| spring.damping != 0.0).count()
+    }
+
+    /// The largest distance of a particle from the middle of all at the start, m; 1 where all are at one place.
     #[must_use]
     pub fn size(&self) -> f64 {
         let count = self.particles.len().max(1) as f64;
@@ -82,12 +88,6 @@ impl Model {
             far.max(square.sqrt())
         });
         if far > 0.0 { far } else { 1.0 }
-    }
-
-    /// How many springs have damping.
-    #[must_use]
-    pub fn damped_springs(&self) -> usize {
-        self.springs.iter().filter(|spring| spring.damping != 0.0).count()
     }
 }
 

@@ -4,7 +4,7 @@
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
 
-use hooke_runner::bench::{Compared, Point, Reference, measure};
+use hooke_runner::bench::{Asked, Compared, Point, Reference, measure};
 use hooke_runner::model::Model;
 use hooke_runner::scene::{CollisionForm, Precision, Scene, Settings, StepperName};
 
@@ -28,19 +28,19 @@ fn load(toml: &str) -> (Model, Settings) {
 }
 
 /// One run of a scene.
-fn run(toml: &str, stepper: StepperName, collision: CollisionForm, steps: u64) -> (Reference, Point) {
+fn run(toml: &str, stepper: StepperName, collision: CollisionForm, asked: impl Into<Asked>) -> (Reference, Point) {
     let (model, settings) = load(toml);
     let settings = Settings { stepper, collision, precision: Precision::F64, ..settings };
     let never = AtomicBool::new(false);
     let reference = Reference::of(&model, &settings, &never).unwrap().unwrap();
-    let point = measure(&model, &settings, steps, &reference, Compared::Throughout, &never).unwrap().unwrap();
+    let point = measure(&model, &settings, asked, &reference, Compared::Throughout, &never).unwrap().unwrap();
     (reference, point)
 }
 
 #[test]
 fn time_of_impact_is_exact_and_ends_of_steps_are_late_and_deep() {
     // 7.35 ms: no hit falls on the end of a step, nor near one.
-    let steps = 272;
+    let steps = 272_u64;
     let step = 2.0 / steps as f64;
     let verlet = |collision| run(BALL, StepperName::VelocityVerlet, collision, steps);
     let (reference, exact) = verlet(CollisionForm::TimeOfImpact);
@@ -69,7 +69,7 @@ fn time_of_impact_is_exact_and_ends_of_steps_are_late_and_deep() {
 /// twice. Hits inside of steps are as exact as the stepper, the others as late as the end of the step.
 #[test]
 fn hits_under_a_spring_are_timed_to_the_order_of_the_stepper() {
-    let (reference, _) = run(SPRUNG, StepperName::Dop853, CollisionForm::TimeOfImpact, 64);
+    let (reference, _) = run(SPRUNG, StepperName::Dop853, CollisionForm::TimeOfImpact, 64_u64);
     let first = (-2.0_f64 / 3.0).acos() / 10.0;
     let times = &reference.bounces.as_ref().unwrap().times[1];
     assert!(times.len() >= 2, "{times:?}");
@@ -78,7 +78,12 @@ fn hits_under_a_spring_are_timed_to_the_order_of_the_stepper() {
         // Rounding of some hundred steps, and of the hit at 2 m/s.
         assert!((time - expected).abs() < 1e-12, "{time} for {expected}");
     }
-    let late = |stepper, collision, steps| run(SPRUNG, stepper, collision, steps).1.bounce_time_error.unwrap();
+    for (tolerance, most) in [(6, 1e-5), (10, 1e-9)] {
+        let (_, chosen) = run(SPRUNG, StepperName::Dop853, CollisionForm::TimeOfImpact, Asked::Tolerance(tolerance));
+        // Errors of some tens of steps, at more than 1 m/s.
+        assert!(chosen.bounce_time_error.unwrap() < most && chosen.penetration.unwrap() < most, "{chosen:?}");
+    }
+    let late = |stepper, collision, steps: u64| run(SPRUNG, stepper, collision, steps).1.bounce_time_error.unwrap();
     let verlet = |steps| late(StepperName::VelocityVerlet, CollisionForm::TimeOfImpact, steps);
     let order = (verlet(256) / verlet(1024)).log2() / 2.0;
     // Where a hit falls in its step makes some difference.

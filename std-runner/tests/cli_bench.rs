@@ -39,6 +39,13 @@ fn several_scenes_make_one_report_in_every_form() {
     for form in ["reflect", "project", "time-of-impact"] {
         assert!(forms.iter().any(|found| found == form), "{form}");
     }
+    // Who chooses steps has a tolerance, and nobody else; of the forms of collision only the one within steps is tried.
+    let (steppers, tolerances) = (column(&rows, "stepper"), column(&rows, "tolerance"));
+    for (tolerance, (stepper, form)) in tolerances.iter().zip(steppers.iter().zip(&forms)) {
+        let is_known = ["dop853", "dormand-prince-rkn8"].contains(&stepper.as_str());
+        assert!(tolerance.is_empty() || is_known && !["reflect", "project"].contains(&form.as_str()));
+    }
+    assert!(tolerances.iter().any(|tolerance| tolerance.parse() == Ok(0.01)), "{tolerances:?}");
     // Diverged runs have times, and no errors.
     let (errors, survived) = (column(&rows, "error"), column(&rows, "survived"));
     let ended = |survived: &String| survived.parse::<f64>().unwrap() < 1.0;

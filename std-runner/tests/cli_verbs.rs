@@ -60,14 +60,14 @@ fn bench_tells_who_is_fastest_and_writes_every_run() {
     let runs = fs::read_to_string(folder.file("runs.csv")).unwrap();
     let mut lines = runs.lines().skip_while(|line| line.starts_with('#'));
     let columns = lines.next().unwrap().split(',').count();
-    assert_eq!(columns, 18);
+    assert_eq!(columns, 19);
     assert!(lines.clone().all(|line| line.split(',').count() == columns), "{runs}");
     for stepper in ["semi-implicit-euler,f32", "velocity-verlet,f64", "tr-bdf2,f64"] {
         assert!(lines.clone().any(|line| line.contains(stepper)), "{stepper} in {runs}");
     }
     let answer = folder.hooke(&["bench", "scene.toml", "--longest", "0.002", "--out", "-"]).exits(0);
     answer
-        .prints(&["stepper,precision,collision,steps,time_step,error,velocity_error"])
+        .prints(&["stepper,precision,collision,tolerance,steps,time_step,error,velocity_error"])
         .tells(&["fastest to reach an error"]);
     folder.hooke(&["bench", "scene.toml", "--out", "none/runs.csv"]).exits(2).tells(&["mkdir -p none"]);
     folder.hooke(&["bench", "scene.toml", "--longest", "-1"]).exits(2);

@@ -19,7 +19,7 @@ pub fn advance_in_parts<R: Real>(
         let rest = R::from_f64(left);
         let part = stepper.advance_up_to(view, rest, &mut report);
         view.refuse_non_finite()?;
-        observer.advanced(view, part);
+        observer.advanced_by(view, part, stepper);
         if part >= rest {
             report.substeps = 1;
             return Ok(report);

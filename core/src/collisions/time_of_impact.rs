@@ -138,7 +138,7 @@ fn step<R: Real>(
             report.substeps += u32::from(hit.is_some());
             let Some(mut hit) = hit.filter(|_| cuts < MOST_SUBSTEPS) else {
                 // To the end of the part: nothing is met before it, or too much to be followed one by one.
-                observer.advanced(view, part);
+                observer.advanced_by(view, part, stepper);
                 if cuts == MOST_SUBSTEPS {
                     let answer = stop_all(view, observer.watches());
                     view.attached().refuse_non_finite()?;
@@ -170,7 +170,7 @@ fn step<R: Real>(
                 report.add(&stepper.advance(&mut view.attached(), hit.tau));
                 view.attached().refuse_non_finite()?;
                 keep_lying(&mut view.attached(), hit.tau);
-                observer.advanced(view, hit.tau);
+                observer.advanced_by(view, hit.tau, stepper);
                 view.next.keep(view.system.plan.attached, &view.current);
             } else {
                 view.next.copy_from(&view.current);

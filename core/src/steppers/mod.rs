@@ -21,7 +21,7 @@ pub use implicit_euler::ImplicitEuler;
 pub use implicit_euler_linearised::ImplicitEulerLinearised;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use runge_kutta::{
-    Adaptive, AdaptiveDop853, AdaptiveDormandPrinceRkn8, Dop853, DormandPrinceRkn8, Rk4, RungeKutta,
+    Adaptive, AdaptiveDop853, AdaptiveDormandPrinceRkn8, DenseOutput, Dop853, DormandPrinceRkn8, Rk4, RungeKutta,
 };
 pub use semi_implicit_euler::SemiImplicitEuler;
 pub use tr_bdf2::TrBdf2;

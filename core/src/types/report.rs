@@ -15,6 +15,8 @@ pub struct StepReport {
     pub residual: f64,
     /// Evaluations of all spring forces.
     pub force_evaluations: u32,
+    /// Parts that a stepper which chooses the lengths of its steps has taken, without those taken anew; 0 for others.
+    pub parts: u32,
     /// Parts of steps that were taken anew, shorter, because their error was too large.
     pub rejected: u32,
     /// Bounces on planes.
@@ -39,6 +41,7 @@ impl Default for StepReport {
             factorisations: 0,
             residual: 0.0,
             force_evaluations: 0,
+            parts: 0,
             rejected: 0,
             hits: 0,
             substeps: 0,
@@ -58,6 +61,7 @@ impl StepReport {
         self.factorisations = self.factorisations.saturating_add(later.factorisations);
         self.residual = if later.residual > self.residual { later.residual } else { self.residual };
         self.force_evaluations = self.force_evaluations.saturating_add(later.force_evaluations);
+        self.parts = self.parts.saturating_add(later.parts);
         self.rejected = self.rejected.saturating_add(later.rejected);
         self.hits = self.hits.saturating_add(later.hits);
         self.substeps = self.substeps.saturating_add(later.substeps);

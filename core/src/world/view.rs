@@ -326,8 +326,13 @@ impl<'a, R: Real> View<'a, R> {
 
     /// The same world as if another state were its current one.
     pub(crate) fn starting_from<'b>(&'b mut self, state: &'b mut State<'_, R>) -> View<'b, R> {
+        self.with_state(state.lend())
+    }
+
+    /// The same, of a state that is lent already.
+    pub(crate) fn with_state<'b>(&'b mut self, state: State<'b, R>) -> View<'b, R> {
         let system = self.system;
-        View { current: state.lend(), ..self.part(system) }
+        View { current: state, ..self.part(system) }
     }
 
     /// The first of its particles, with these springs.

@@ -15,6 +15,7 @@ pub(super) struct Side<'a, R: Stepped> {
     pub(super) walk: Walk<'a, R>,
     pub(super) time: f64,
     settings: Settings,
+    size: f64,
     tracks: &'a Tracks<'a>,
     threads: Option<&'a Threads>,
 }
@@ -36,8 +37,8 @@ impl<'a, R: Stepped> Side<'a, R> {
     ) -> Result<Self, BuildError> {
         let mut world = world_with::<R>(model, &settings)?;
         let audit = ledger.then(|| Audit::open(&world.view()));
-        let walk = Walk::new(&settings, audit, threads);
-        Ok(Self { world, walk, time: 0.0, settings, tracks, threads })
+        let walk = Walk::new(&settings, model.size(), audit, threads);
+        Ok(Self { world, walk, time: 0.0, settings, size: model.size(), tracks, threads })
     }
 
     /// One step up to a time, s.
@@ -60,16 +61,17 @@ impl<'a, R: Stepped> Side<'a, R> {
     pub(super) fn restore(&mut self, saved: &Saved<R>) {
         self.world = saved.world.clone();
         self.time = saved.time;
-        self.walk = Walk::new(&self.settings, saved.audit.clone(), self.threads);
+        self.walk = Walk::new(&self.settings, self.size, saved.audit.clone(), self.threads);
     }
 
     /// A run of its own from here, which leaves this one as it is.
     pub(super) fn branch(&self) -> Self {
         Self {
             world: self.world.clone(),
-            walk: Walk::new(&self.settings, None, self.threads),
+            walk: Walk::new(&self.settings, self.size, None, self.threads),
             time: self.time,
             settings: self.settings.clone(),
+            size: self.size,
             tracks: self.tracks,
             threads: self.threads,
         }

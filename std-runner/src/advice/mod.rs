@@ -30,6 +30,10 @@ pub enum Topic {
     LostMotion,
     /// Shorter steps than `f32` gains anything by.
     BelowRounding,
+    /// A tolerance that `f32` cannot keep.
+    FineTolerance,
+    /// Hits are looked for at frames only.
+    HitsBetweenFrames,
     /// Particles start beyond a plane.
     BeyondPlane,
     /// `reflect` lets particles at rest sink.
@@ -72,10 +76,12 @@ pub fn advise(subject: &Subject<'_>) -> Vec<Advice> {
     all.extend(explicit::growing(subject));
     all.extend(stability::implicit_fallback(subject));
     // The worst of what rounding does is enough.
-    let rounding = [precision::coarse_positions, precision::lost_motion, precision::below_rounding];
+    let rounding =
+        [precision::coarse_positions, precision::lost_motion, precision::below_rounding, precision::fine_tolerance];
     all.extend(rounding.into_iter().find_map(|advice| advice(subject)));
     all.extend(planes::beyond(subject));
     all.extend(planes::sinking(subject));
+    all.extend(planes::between_frames(subject));
     all.extend(frames::between_steps(subject));
     all.extend(frames::large(subject));
     all

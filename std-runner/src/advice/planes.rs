@@ -3,6 +3,7 @@
 use super::{Advice, Subject, Topic};
 use crate::model::{Hold, ModelPlane};
 use crate::scene::CollisionForm;
+use crate::simulate::chooses_steps;
 use crate::units::metres;
 
 /// What lies less than this part of its coordinates below a plane lies on it.
@@ -53,4 +54,18 @@ pub(super) fn sinking(subject: &Subject<'_>) -> Option<Advice> {
     let message = format!("with reflect, what comes to rest on plane {number} sinks slowly through it");
     let remedy = "use --collision project, or time-of-impact".to_owned();
     Some(Advice { topic: Topic::SinkingAtRest, message, remedy })
+}
+
+/// Forms that look for hits at the ends of steps, where those are from frame to frame.
+pub(super) fn between_frames(subject: &Subject<'_>) -> Option<Advice> {
+    let Subject { model, settings, .. } = subject;
+    let (stepper, collision) = (settings.stepper, settings.collision);
+    if model.planes.is_empty() || collision == CollisionForm::TimeOfImpact || !chooses_steps(settings) {
+        return None;
+    }
+    let message = format!(
+        "{collision} looks for hits at the end of a step, and where {stepper} chooses its steps that is the next frame"
+    );
+    let remedy = "use --collision time-of-impact, or a --time-step".to_owned();
+    Some(Advice { topic: Topic::HitsBetweenFrames, message, remedy })
 }

@@ -5,7 +5,7 @@ use hooke::Stepper;
 use super::{Advice, Subject, Topic};
 use crate::model::{Hold, Model};
 use crate::scene::{Precision, Settings};
-use crate::simulate::{Anchor, AnyStepper};
+use crate::simulate::{Anchor, AnyStepper, chooses_steps};
 use crate::units::{metres, seconds};
 
 /// The part of a spring's length that rounding may take before it is worth a word.
@@ -113,6 +113,21 @@ pub(super) fn below_rounding(subject: &Subject<'_>) -> Option<Advice> {
     );
     let remedy = format!("use --precision f32-compensated or f64, or --time-step {best:.1e}");
     Some(Advice { topic: Topic::BelowRounding, message, remedy })
+}
+
+/// Errors of steps that are to be smaller than the roundings of places.
+pub(super) fn fine_tolerance(subject: &Subject<'_>) -> Option<Advice> {
+    let Settings { precision, stepper, tolerance, .. } = subject.settings;
+    let rounding = f64::from(f32::EPSILON);
+    if *precision != Precision::F32 || !chooses_steps(subject.settings) || *tolerance >= rounding {
+        return None;
+    }
+    let message = format!(
+        "{stepper} is to keep errors below {tolerance:e} of the scene's size, and f32 rounds places by {rounding:.0e} of \
+         it in every step"
+    );
+    let remedy = "use --precision f32-compensated or f64, or a looser --tolerance".to_owned();
+    Some(Advice { topic: Topic::FineTolerance, message, remedy })
 }
 
 /// The longest edge of the box around all particles, m.

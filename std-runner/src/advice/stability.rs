@@ -5,7 +5,7 @@ use hooke::{Choice, Chosen, StabilityBound};
 use super::{Advice, Subject, Topic};
 use crate::model::Model;
 use crate::scene::{Settings, StepperName, TimeStep};
-use crate::simulate::{Start, choose_time_step, largest_stable_step};
+use crate::simulate::{Start, choose_time_step, chooses_steps, largest_stable_step};
 use crate::units::{seconds, times};
 
 /// The spring and the particle that set a bound.
@@ -24,12 +24,13 @@ pub fn limit_in_words(model: &Model, bound: &StabilityBound) -> String {
 pub struct Remedy {
     /// An explicit stepper that can be stable here.
     pub stepper: StepperName,
-    /// A time step for it, s.
-    pub time_step: f64,
+    /// A time step for it.
+    pub time_step: TimeStep,
 }
 
 impl Remedy {
-    /// For a scene: its own stepper if that can be stable, semi-implicit Euler in place of the explicit one.
+    /// For a scene: its own stepper if that can be stable, semi-implicit Euler in place of the explicit one. What can choose
+    /// its steps itself is to do so.
     #[must_use]
     pub fn of(settings: &Settings, start: &Start) -> Option<Self> {
         let stepper = match settings.stepper {
@@ -37,7 +38,11 @@ impl Remedy {
             other => other,
         };
         let settings = Settings { stepper, time_step: TimeStep::Auto, ..settings.clone() };
-        let time_step = choose_time_step(&settings, &start.plan, start.bound.as_ref())?;
+        let time_step = if chooses_steps(&settings) {
+            TimeStep::Auto
+        } else {
+            TimeStep::Seconds(choose_time_step(&settings, &start.plan, start.bound.as_ref())?)
+        };
         Some(Self { stepper, time_step })
     }
 
@@ -46,7 +51,7 @@ impl Remedy {
     pub fn flags(&self, settings: &Settings) -> String {
         let stepper =
             if self.stepper == settings.stepper { String::new() } else { format!("--stepper {} ", self.stepper) };
-        format!("{stepper}--time-step {:?}", self.time_step)
+        format!("{stepper}--time-step {}", self.time_step)
     }
 }
 

@@ -23,10 +23,10 @@ pub(super) fn finish(course: &Course<'_>, reference: &Reference, swept: &mut [Sw
                 let is_near = |(error, seconds): &(f64, f64)| reaches(point, *error) && point.seconds <= NEAR * seconds;
                 let has_ended = point.error.is_some();
                 let runs = has_ended && (round == 0 || aims.iter().any(is_near));
-                if !runs || course.kept.find(contender, point.steps).is_some() {
+                if !runs || course.kept.find(contender, point.asked).is_some() {
                     continue;
                 }
-                match time_again(course.model, &settings, point.steps, course.interrupted)? {
+                match time_again(course.model, &settings, point.asked, course.interrupted)? {
                     Some(seconds) => point.seconds = point.seconds.min(seconds),
                     None => return Ok(false),
                 }

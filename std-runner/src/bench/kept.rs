@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
+use super::asked::Asked;
 use super::contender::Contender;
 use super::point::Point;
 
 /// What was measured before.
 #[derive(Clone, Debug, Default)]
-pub struct Kept(HashMap<(Contender, u64), Point>);
+pub struct Kept(HashMap<(Contender, Asked), Point>);
 
 impl Kept {
     /// How many points.
@@ -16,13 +17,13 @@ impl Kept {
         self.0.len()
     }
 
-    pub(super) fn find(&self, contender: Contender, steps: u64) -> Option<Point> {
-        self.0.get(&(contender, steps)).copied()
+    pub(super) fn find(&self, contender: Contender, asked: Asked) -> Option<Point> {
+        self.0.get(&(contender, asked)).copied()
     }
 }
 
 impl FromIterator<(Contender, Point)> for Kept {
     fn from_iter<I: IntoIterator<Item = (Contender, Point)>>(points: I) -> Self {
-        Self(points.into_iter().map(|(contender, point)| ((contender, point.steps), point)).collect())
+        Self(points.into_iter().map(|(contender, point)| ((contender, point.asked), point)).collect())
     }
 }

@@ -1,6 +1,7 @@
 //! Run time against error: every stepper on one scene, at time steps from the edge of stability down to where rounding
-//! takes over, each run's error measured against a reference.
+//! takes over, or at tolerances, each run's error measured against a reference.
 
+mod asked;
 mod bounces;
 mod closed_form;
 mod contender;
@@ -25,6 +26,7 @@ use crate::model::Model;
 use crate::scene::Settings;
 use crate::simulate::RunError;
 
+pub use asked::Asked;
 pub use bounces::Bounces;
 pub use closed_form::ClosedForm;
 pub use contender::Contender;
@@ -74,7 +76,7 @@ pub struct Bench {
     pub stamp: Stamp,
     /// What errors are measured against.
     pub reference: Reference,
-    /// Each contender's runs, from the longest time step to the shortest.
+    /// Each contender's runs, from the longest time step or the loosest tolerance to the shortest or the tightest.
     pub swept: Vec<Swept>,
     /// Error and energy over time of some of them.
     pub traces: Vec<Trace>,

@@ -105,7 +105,9 @@ impl Bench {
 
     /// The time of a step there, in those that one of nearly the same length takes here.
     fn step_here(&self, (stepper, precision): (StepperName, Precision), run: &PeerRun) -> Option<f64> {
-        let is = |contender: super::Contender| contender.stepper == stepper && contender.precision == precision;
+        let is = |contender: super::Contender| {
+            contender.stepper == stepper && contender.precision == precision && !contender.is_adaptive
+        };
         let points = self.swept.iter().filter(|swept| is(swept.contender)).flat_map(|swept| &swept.points);
         let finished = points.filter(|point| point.error.is_some());
         let apart = |step: f64| (step / run.setting).ln().abs();

@@ -3,8 +3,9 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
+use super::asked::Asked;
 use super::error::{position_error, velocity_error};
-use super::probe::{Probe, Probed, probe, watched};
+use super::probe::{LOOKS, Probe, Probed, probe, watched};
 use super::reference::Reference;
 use super::watch::Seen;
 use crate::model::Model;
@@ -34,9 +35,11 @@ const LOST: f64 = 10.0;
 /// One run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// How many.
+    /// What it was asked for.
+    pub asked: Asked,
+    /// How many it took.
     pub steps: u64,
-    /// s
+    /// s, on average.
     pub time_step: f64,
     /// The largest distance of any particle from the reference when it is compared, m; nothing for a run that diverged.
     pub error: Option<f64>,
@@ -62,31 +65,32 @@ pub struct Point {
     pub workspace: usize,
 }
 
-/// Measures one run of a scene as its settings say, in so many steps, a multiple of [`CHECKPOINTS`]; nothing if it was
-/// interrupted.
+/// Measures one run of a scene as its settings say, to a tolerance or in so many steps, a multiple of [`CHECKPOINTS`]; nothing
+/// if it was interrupted.
 ///
 /// # Errors
 /// If the scene cannot be run at all.
 pub fn measure(
     model: &Model,
     settings: &Settings,
-    steps: u64,
+    asked: impl Into<Asked>,
     reference: &Reference,
     compared: Compared,
     interrupted: &AtomicBool,
 ) -> Result<Option<Point>, RunError> {
+    let asked = asked.into();
     // What costs time to see is seen in a run of its own, which is not timed.
-    let (first, seen) = match watched(model, settings, steps, CHECKPOINTS, interrupted)? {
+    let (first, seen) = match watched(model, settings, asked, CHECKPOINTS, interrupted)? {
         Probed::Finished(finished) => finished,
         Probed::Diverged { stepping, reached } => {
-            return Ok(Some(diverged(settings.duration, steps, stepping, reached)));
+            return Ok(Some(diverged(settings.duration, asked, stepping, reached)));
         }
         Probed::Interrupted => return Ok(None),
     };
-    let mut point = judged(settings.duration, steps, &first, &seen, reference, compared);
+    let mut point = judged(settings.duration, asked, &first, &seen, reference, compared);
     let (mut spent, mut shortest) = (0.0, f64::INFINITY);
     for _ in 0..MOST_REPEATS {
-        let Some(seconds) = time_again(model, settings, steps, interrupted)? else { return Ok(None) };
+        let Some(seconds) = time_again(model, settings, asked, interrupted)? else { return Ok(None) };
         shortest = seconds.min(shortest);
         spent += seconds;
         if spent >= REPEATED {
@@ -101,19 +105,23 @@ pub fn measure(
 pub(super) fn time_again(
     model: &Model,
     settings: &Settings,
-    steps: u64,
+    asked: Asked,
     interrupted: &AtomicBool,
 ) -> Result<Option<f64>, RunError> {
-    Ok(match probe(model, settings, steps, 1, interrupted)? {
+    // Steps that are chosen may end at checkpoints: they are to be those that were looked at.
+    let checkpoints = if asked.tolerance().is_some() { CHECKPOINTS } else { 1 };
+    Ok(match probe(model, settings, asked, checkpoints, interrupted)? {
         Probed::Finished(again) => Some(again.stepping.as_secs_f64()),
         Probed::Diverged { .. } | Probed::Interrupted => None,
     })
 }
 
-fn diverged(duration: f64, steps: u64, stepping: Duration, reached: f64) -> Point {
+fn diverged(duration: f64, asked: Asked, stepping: Duration, reached: f64) -> Point {
+    let steps = if let Asked::Steps(steps) = asked { steps } else { 0 };
     Point {
+        asked,
         steps,
-        time_step: duration / steps as f64,
+        time_step: duration / steps.max(1) as f64,
         error: None,
         velocity_error: None,
         energy_residual: None,
@@ -128,27 +136,30 @@ fn diverged(duration: f64, steps: u64, stepping: Duration, reached: f64) -> Poin
     }
 }
 
-fn judged(duration: f64, steps: u64, probe: &Probe, seen: &Seen, reference: &Reference, compared: Compared) -> Point {
+fn judged(duration: f64, asked: Asked, probe: &Probe, seen: &Seen, reference: &Reference, compared: Compared) -> Point {
     let (mut states, mut trusted) = (probe.states.as_slice(), reference.at(CHECKPOINTS));
     if compared == Compared::AtEnd {
         states = states.last().map_or(&[], std::slice::from_ref);
         trusted = reference.at(1);
     }
-    let time_step = duration / steps as f64;
+    let time_step = duration / probe.steps.max(1) as f64;
+    let looked_at_every = if asked.tolerance().is_some() { duration / (CHECKPOINTS * LOOKS) as f64 } else { time_step };
     let bounces = seen.bounces.as_ref().zip(reference.bounces.as_ref());
     let is_lost = |error: &f64| *error >= LOST * reference.size;
     let error = Some(position_error(states, &trusted)).filter(|error| !is_lost(error));
     Point {
+        steps: probe.steps,
+        time_step,
         error,
         velocity_error: error.map(|_| velocity_error(states, &trusted)),
         energy_residual: Some(seen.energy_residual()),
-        bounce_time_error: bounces.and_then(|(found, trusted)| found.error(trusted, time_step)),
+        bounce_time_error: bounces.and_then(|(found, trusted)| found.error(trusted, looked_at_every)),
         penetration: seen.bounces.as_ref().map(|bounces| bounces.penetration),
         survived: 1.0,
         force_evaluations: probe.force_evaluations,
         iterations: probe.iterations,
         linear_work: probe.linear_work,
         workspace: probe.workspace,
-        ..diverged(duration, steps, probe.stepping, duration)
+        ..diverged(duration, asked, probe.stepping, duration)
     }
 }

@@ -6,11 +6,15 @@ use std::time::Duration;
 
 use hooke::Compensated;
 
+use super::asked::Asked;
 use super::watch::{Seen, Watch};
 use crate::model::Model;
 use crate::record::{BoxedRecorder, Frame, RecordError, Recorder, Sample};
-use crate::scene::{Precision, Settings, TimeStep};
+use crate::scene::{Precision, Settings};
 use crate::simulate::{Ending, Options, Progress, RunError, Stepped, Summary, run};
+
+/// Looks at what happens on planes between two checkpoints, where steps are chosen.
+pub(super) const LOOKS: u64 = 64;
 
 /// Positions or velocities by particle number, m or m/s.
 pub type Vectors = Vec<[f64; 3]>;
@@ -31,6 +35,8 @@ pub struct Probe {
     pub states: Vec<State>,
     /// Time spent stepping.
     pub stepping: Duration,
+    /// Steps that were taken; those that the stepper chose, if it did.
+    pub steps: u64,
     /// Evaluations of all forces.
     pub force_evaluations: u64,
     /// Newton iterations.
@@ -57,20 +63,20 @@ pub enum Probed<P = Probe> {
     Interrupted,
 }
 
-/// Runs a scene as its settings say but in `steps` steps, with its state kept at so many evenly spaced checkpoints, on
-/// one thread and without a ledger. Checkpoints fall on steps where their number divides that of the steps; the others are
-/// interpolated.
+/// Runs a scene as its settings say but in so many steps, or to a tolerance, with its state kept at so many evenly spaced
+/// checkpoints, on one thread and without a ledger. Checkpoints fall on steps where their number divides that of the steps;
+/// the others are interpolated.
 ///
 /// # Errors
 /// If it cannot be run at all: the precision cannot hold it, say.
 pub fn probe(
     model: &Model,
     settings: &Settings,
-    steps: u64,
+    asked: impl Into<Asked>,
     checkpoints: u64,
     interrupted: &AtomicBool,
 ) -> Result<Probed, RunError> {
-    let settings = in_steps(settings, steps, checkpoints);
+    let settings = asked.into().settings(settings, checkpoints);
     let kept = Kept::default();
     let options = Options { ledger: false, threads: Some(1), interrupted, progress: &Silent };
     let summary = run_with(model, &settings, Keep { kept: Arc::clone(&kept), every: 1 }, &options)?;
@@ -84,13 +90,19 @@ pub fn probe(
 pub fn watched(
     model: &Model,
     settings: &Settings,
-    steps: u64,
+    asked: impl Into<Asked>,
     checkpoints: u64,
     interrupted: &AtomicBool,
 ) -> Result<Probed<(Probe, Seen)>, RunError> {
+    let asked = asked.into();
     // On planes everything happens between checkpoints.
-    let every = if model.planes.is_empty() || !steps.is_multiple_of(checkpoints) { 1 } else { steps / checkpoints };
-    let settings = in_steps(settings, steps, checkpoints * every);
+    let every = match asked {
+        _ if model.planes.is_empty() => 1,
+        Asked::Steps(steps) if steps.is_multiple_of(checkpoints) => steps / checkpoints,
+        Asked::Steps(_) => 1,
+        Asked::Tolerance(_) => LOOKS,
+    };
+    let settings = asked.settings(settings, checkpoints * every);
     let watch = Watch::new(model, &settings, checkpoints);
     let kept = Kept::default();
     let keep = Keep { kept: Arc::clone(&kept), every };
@@ -101,14 +113,6 @@ pub fn watched(
         Probed::Diverged { stepping, reached } => Probed::Diverged { stepping, reached },
         Probed::Interrupted => Probed::Interrupted,
     })
-}
-
-fn in_steps(settings: &Settings, steps: u64, frames: u64) -> Settings {
-    Settings {
-        time_step: TimeStep::Seconds(settings.duration / steps as f64),
-        frame_rate: frames as f64 / settings.duration,
-        ..settings.clone()
-    }
 }
 
 /// Something that sees the frames of a run in either precision.
@@ -148,6 +152,7 @@ fn ended(summary: &Summary, kept: &Kept, checkpoints: u64) -> Probed {
         Ending::Finished if summary.unconverged == 0 && states.len() as u64 == checkpoints => Probed::Finished(Probe {
             states,
             stepping: summary.stepping,
+            steps: if summary.parts > 0 { summary.parts } else { summary.steps },
             force_evaluations: summary.force_evaluations,
             iterations: summary.iterations,
             linear_work: summary.linear_iterations + summary.factorisations,

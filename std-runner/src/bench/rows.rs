@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::Bench;
+use super::asked::Asked;
 use super::contender::Contender;
 use super::kept::Kept;
 use super::point::Point;
@@ -29,6 +30,8 @@ struct Row {
     stepper: StepperName,
     precision: Precision,
     collision: Option<CollisionForm>,
+    /// Of contenders that choose their steps.
+    tolerance: Option<f64>,
     steps: u64,
     time_step: f64,
     error: Option<f64>,
@@ -46,7 +49,7 @@ struct Row {
 
 impl Row {
     fn new(bench: &Bench, contender: Contender, point: &Point) -> Self {
-        let Contender { stepper, precision, collision } = contender;
+        let Contender { stepper, precision, collision, .. } = contender;
         let Point { steps, time_step, error, velocity_error, energy_residual, bounce_time_error, .. } = *point;
         let Point { penetration, survived, seconds, force_evaluations, iterations, linear_work, workspace, .. } =
             *point;
@@ -57,6 +60,7 @@ impl Row {
             stepper,
             precision,
             collision,
+            tolerance: point.asked.tolerance(),
             steps,
             time_step,
             error,
@@ -74,10 +78,22 @@ impl Row {
     }
 
     fn measured(self) -> (Contender, Point) {
-        let Self { stepper, precision, collision, steps, time_step, error, velocity_error, energy_residual, .. } = self;
+        let Self {
+            stepper,
+            precision,
+            collision,
+            tolerance,
+            steps,
+            time_step,
+            error,
+            velocity_error,
+            energy_residual,
+            ..
+        } = self;
         let Self { bounce_time_error, penetration, survived, seconds, force_evaluations, .. } = self;
         let Self { iterations, linear_work, workspace, .. } = self;
         let point = Point {
+            asked: Asked::read(tolerance, steps),
             steps,
             time_step,
             error,
@@ -92,7 +108,7 @@ impl Row {
             linear_work,
             workspace,
         };
-        (Contender { stepper, precision, collision }, point)
+        (Contender { stepper, is_adaptive: tolerance.is_some(), precision, collision }, point)
     }
 }
 

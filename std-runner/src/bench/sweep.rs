@@ -1,6 +1,7 @@
-//! One contender, from the longest time step that it is stable at to where shorter ones gain nothing.
+//! One contender, from the longest time step that it is stable at, or the loosest tolerance, to where less gains nothing.
 
 use super::Course;
+use super::asked::Asked;
 use super::contender::Contender;
 use super::point::{CHECKPOINTS, Point, measure};
 use super::reference::{Reference, steps_of};
@@ -29,7 +30,7 @@ const ROUNDINGS: f64 = 10.0;
 pub struct Swept {
     /// Who ran.
     pub contender: Contender,
-    /// From the longest time step to the shortest.
+    /// From the longest time step, or the loosest tolerance, to the shortest or the tightest.
     pub points: Vec<Point>,
 }
 
@@ -41,12 +42,15 @@ pub(super) fn sweep(
     mut tell: impl FnMut(&Point),
 ) -> Result<bool, RunError> {
     let settings = swept.contender.settings(course.settings);
-    let mut steps = first_steps(&settings, reference);
+    let mut asked = match swept.contender.is_adaptive {
+        true => Asked::LOOSEST,
+        false => Asked::Steps(first_steps(&settings, reference)),
+    };
     let mut in_vain = 0;
     for _ in 0..MOST_DOUBLINGS {
-        let point = match course.kept.find(swept.contender, steps) {
+        let point = match course.kept.find(swept.contender, asked) {
             Some(kept) => kept,
-            None => match measure(course.model, &settings, steps, reference, course.compared, course.interrupted)? {
+            None => match measure(course.model, &settings, asked, reference, course.compared, course.interrupted)? {
                 Some(measured) => measured,
                 None => return Ok(false),
             },
@@ -57,11 +61,12 @@ pub(super) fn sweep(
         tell(&point);
         swept.points.push(point);
         let is_known = point.error.is_some_and(|error| error <= reference.floor());
-        let is_rounding = in_vain >= IN_VAIN && best <= rounding(settings.precision, steps, reference);
+        let is_rounding = in_vain >= IN_VAIN && best <= rounding(settings.precision, point.steps, reference);
         if is_known || is_rounding || in_vain >= PUZZLING || point.seconds > course.longest.as_secs_f64() {
             break;
         }
-        steps *= 2;
+        let Some(finer) = asked.finer() else { break };
+        asked = finer;
     }
     Ok(true)
 }

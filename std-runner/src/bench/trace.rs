@@ -1,6 +1,7 @@
 //! How error and energy go with time, for runs that cost about the same.
 
 use super::Course;
+use super::asked::Asked;
 use super::contender::Contender;
 use super::error::position_error;
 use super::point::Point;
@@ -23,7 +24,9 @@ const MOST: u64 = 32;
 pub struct Trace {
     /// Who ran.
     pub contender: Contender,
-    /// s: nearly that of the run that was measured, so that every moment is the end of a step.
+    /// Nearly what the run that was measured was asked for, so that every moment is the end of a step.
+    pub asked: Asked,
+    /// s, on average.
     pub time_step: f64,
     /// What it takes, about, s.
     pub seconds: f64,
@@ -75,9 +78,12 @@ fn trace(
     point: &Point,
 ) -> Result<Option<Option<Trace>>, RunError> {
     let settings = contender.settings(course.settings);
-    let moments = MOST.min(1 << point.steps.max(1).ilog2());
-    let steps = point.steps.next_multiple_of(moments);
-    let (probe, seen) = match watched(course.model, &settings, steps, moments, course.interrupted)? {
+    let moments = if contender.is_adaptive { MOST } else { MOST.min(1 << point.steps.max(1).ilog2()) };
+    let asked = match point.asked {
+        Asked::Steps(steps) => Asked::Steps(steps.next_multiple_of(moments)),
+        tolerance => tolerance,
+    };
+    let (probe, seen) = match watched(course.model, &settings, asked, moments, course.interrupted)? {
         Probed::Finished(finished) => finished,
         Probed::Diverged { .. } => return Ok(Some(None)),
         Probed::Interrupted => return Ok(None),
@@ -85,6 +91,7 @@ fn trace(
     let pairs = probe.states.iter().zip(reference.at(moments));
     let errors = pairs.map(|(state, trusted)| position_error(std::slice::from_ref(state), &[trusted])).collect();
     let times = (1..=moments).map(|moment| settings.duration * moment as f64 / moments as f64).collect();
-    let (time_step, seconds) = (settings.duration / steps as f64, point.seconds * steps as f64 / point.steps as f64);
-    Ok(Some(Some(Trace { contender, time_step, seconds, times, errors, energy: seen.energy })))
+    let steps = probe.steps.max(1) as f64;
+    let (time_step, seconds) = (settings.duration / steps, point.seconds * steps / point.steps.max(1) as f64);
+    Ok(Some(Some(Trace { contender, asked, time_step, seconds, times, errors, energy: seen.energy })))
 }

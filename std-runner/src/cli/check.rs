@@ -11,7 +11,7 @@ use super::table::rows;
 use crate::advice::{Subject, advise, limit_in_words, needed, skipped};
 use crate::model::{Hold, Model};
 use crate::scene::{Settings, StepperName, TimeStep};
-use crate::simulate::{Start, choose_time_step, largest_stable_step};
+use crate::simulate::{Start, choose_time_step, chooses_steps, largest_stable_step};
 use crate::units::{bytes, count, counted, metres, seconds};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<Outcome, Failure> {
@@ -71,7 +71,7 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
         row("memory", format!("about {}", bytes(scene.bytes_needed()))),
         row("method", format!("{}, {}, {}", settings.stepper, settings.precision, settings.collision)),
         row("sleep", sleep(settings, start)),
-        row("steps", steps(settings, start)),
+        row("steps", steps(settings, start, model.size())),
         row("frames", format!("{}, {} a second", count(start.schedule.frames()), settings.frame_rate)),
     ];
     rows.extend(start.linear_solver.map(|solver| row("linear solver", solver.to_string())));
@@ -86,7 +86,7 @@ fn sleep(settings: &Settings, start: &Start) -> String {
     format!("{islands}: what is slower than {speed:?} m/s for a second is left out until something moves it")
 }
 
-fn steps(settings: &Settings, start: &Start) -> String {
+fn steps(settings: &Settings, start: &Start, size: f64) -> String {
     let (number, duration) = (start.schedule.steps(), seconds(settings.duration));
     if let Some(asked) = settings.max_error {
         let free = if asked.stepper.is_some() { "" } else { "stepper, " };
@@ -95,6 +95,11 @@ fn steps(settings: &Settings, start: &Start) -> String {
             "{free}{precision}time step are found by pilot runs for an error of {} at most",
             metres(asked.error)
         );
+    }
+    if chooses_steps(settings) && start.plan.attached > 0 {
+        let Settings { stepper, tolerance, .. } = settings;
+        let error = metres(tolerance * size);
+        return format!("chosen by {stepper} to a tolerance of {tolerance:e}: errors of {error} in each at most");
     }
     let Some(time_step) = start.time_step else {
         return format!("{} for {duration}, from frame to frame: particles fly exactly", count(number));

@@ -17,7 +17,7 @@ pub fn bench_page(benches: &[Bench]) -> Result<Page, ChartError> {
     Ok(Page {
         title: format!("Run time against error: {}", names.join(", ")),
         lead: "Every stepper, in every precision, at time steps from the edge of stability down to where shorter ones gain \
-               nothing: what it costs, and how far it is from the true motion."
+               nothing, or at tolerances from 1e-2 on: what it costs, and how far it is from the true motion."
             .to_owned(),
         sections: benches.iter().map(section).collect::<Result<_, _>>()?,
         made_by: format!("hooke {}, one thread of {}", env!("CARGO_PKG_VERSION"), machine()),
@@ -35,7 +35,8 @@ fn section(bench: &Bench) -> Result<Section, ChartError> {
         blocks.push(Block::Heading("Fastest to reach an error".to_owned()));
         blocks.push(table(&winners));
         blocks.push(Block::Text(format!(
-            "Implicit steppers solve each step to a relative residual of {:e}, which is the scene's tolerance.",
+            "Implicit steppers solve each step to a relative residual of {:e}, which is the scene's tolerance. Tolerances of \
+             adaptive ones are the largest error of a step, relative to the scene's size.",
             bench.tolerance
         )));
     }
@@ -56,7 +57,7 @@ fn diagrams(bench: &Bench) -> Result<[Block; 4], ChartError> {
         Block::Heading("Work and precision".to_owned()),
         Block::figure(
             &work_precision(one, Work::Time),
-            "Each mark is a run; from right to left its time step halves. Lower is faster, further left is more exact, and \
+            "Each mark is a run; from right to left its time step halves, or its tolerance falls to a tenth. Lower is faster, further left is more exact, and \
              the flatter a line, the higher its order, as the triangles show. Runs that diverged are not there. Within the shade \
              the reference itself is not known well enough.",
         )?,

@@ -34,13 +34,14 @@ fn sheet(bench: &Bench, title: &str, y: Axis, of: impl Fn(&Trace) -> Vec<(f64, f
     };
     let mut legend = vec![Entry::Heading("stepper, time step, computing time".to_owned())];
     for trace in &bench.traces {
-        let (step, cost) = (seconds(trace.time_step), seconds(trace.seconds));
-        legend.push(Entry::Curve(line(trace), format!("{}, {step}, {cost}", trace.contender.stepper)));
+        let step = if trace.contender.is_adaptive { trace.asked.to_string() } else { seconds(trace.time_step) };
+        let (method, cost) = (trace.contender.method(), seconds(trace.seconds));
+        legend.push(Entry::Curve(line(trace), format!("{method}, {step}, {cost}")));
     }
     Sheet { charts: vec![chart], columns: 1, legend }
 }
 
 /// With a mark at each moment.
 fn line(trace: &Trace) -> Look {
-    Look { is_thin: true, ..look(trace.contender.stepper, trace.contender.precision) }
+    Look { is_thin: true, ..look(trace.contender) }
 }

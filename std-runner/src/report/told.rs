@@ -1,6 +1,6 @@
 //! What measurements say, in words.
 
-use crate::bench::{Bench, Contender, Point, Recommended, Reference, Winner, recommended};
+use crate::bench::{Asked, Bench, Contender, Point, Recommended, Reference, Winner, recommended};
 use crate::units::{bytes, count, metres, seconds, short, times};
 
 /// What to use for which error.
@@ -21,13 +21,21 @@ fn take(recommended: &Recommended) -> String {
         let (from, to) = (of(loosest), of(tightest));
         if from == to { from } else { format!("{from} to {to}") }
     };
+    let at = match (loosest.1.asked, tightest.1.asked) {
+        (Asked::Tolerance(_), Asked::Tolerance(_)) => {
+            let tolerance =
+                |(_, point): &(f64, Point)| point.asked.tolerance().map_or_else(String::new, |to| format!("{to:e}"));
+            format!("a tolerance of {}", range(&tolerance))
+        }
+        _ => range(&|(_, point)| seconds(point.time_step)),
+    };
     let form = contender.collision.map_or_else(String::new, |form| format!(" with {form}"));
     format!(
         "for {} take {} in {}{form} at {}: {} of computing",
         range(&|(error, _)| metres(*error)),
-        contender.stepper,
+        contender.method(),
         contender.precision,
-        range(&|(_, point)| seconds(point.time_step)),
+        at,
         range(&|(_, point)| seconds(point.seconds))
     )
 }
@@ -85,11 +93,11 @@ fn growth(growth: f64) -> String {
     if growth < 1e5 { short(growth) } else { format!("{growth:.1e}") }
 }
 
-/// A run in a table of winners: who, with which time step, and what it took.
+/// A run in a table of winners: who, with which time step or tolerance, and what it took.
 pub fn run_cells(contender: Contender, point: &Point) -> [String; 6] {
     [
         contender.to_string(),
-        seconds(point.time_step),
+        if contender.is_adaptive { point.asked.to_string() } else { seconds(point.time_step) },
         seconds(point.seconds),
         count(point.force_evaluations),
         count(point.iterations),

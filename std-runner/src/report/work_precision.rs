@@ -91,7 +91,7 @@ fn place(point: &Point, work: Work) -> Option<(f64, f64)> {
 
 fn curve(swept: &Swept, work: Work) -> Curve {
     let points = swept.points.iter().filter_map(|point| place(point, work));
-    Curve { points: points.collect(), look: look(swept.contender.stepper, swept.contender.precision) }
+    Curve { points: points.collect(), look: look(swept.contender) }
 }
 
 /// Of all peers but Hooke itself, each once.
@@ -118,12 +118,18 @@ fn others(bench: &Bench, work: Work, names: &[&str]) -> Vec<Curve> {
 /// What the curves of these are.
 fn legend<I: Iterator<Item = Contender>>(ran: impl Fn() -> I) -> Vec<Entry> {
     let mut entries = vec![Entry::Heading("stepper".to_owned())];
-    for stepper in StepperName::ALL.iter().copied().filter(|stepper| ran().any(|ran| ran.stepper == *stepper)) {
-        entries.push(Entry::Curve(look(stepper, Precision::F64), stepper.to_string()));
+    let mut methods: Vec<Contender> = Vec::new();
+    for ran in ran().map(|ran| Contender { precision: Precision::F64, collision: None, ..ran }) {
+        if !methods.contains(&ran) {
+            methods.push(ran);
+        }
     }
+    methods.sort_by_key(|ran| (StepperName::ALL.iter().position(|known| *known == ran.stepper), ran.is_adaptive));
+    entries.extend(methods.iter().map(|ran| Entry::Curve(look(*ran), ran.method())));
     entries.push(Entry::Heading("precision".to_owned()));
     for precision in Precision::ALL.iter().copied().filter(|precision| ran().any(|ran| ran.precision == *precision)) {
-        let look = Look { colour: GREY, ..look(StepperName::default(), precision) };
+        let (stepper, is_adaptive, collision) = (StepperName::default(), false, None);
+        let look = Look { colour: GREY, ..look(Contender { stepper, is_adaptive, precision, collision }) };
         entries.push(Entry::Curve(look, precision.to_string()));
     }
     entries.push(Entry::Ringed("fastest to an error".to_owned()));

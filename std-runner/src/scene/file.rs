@@ -29,7 +29,7 @@ pub(super) struct SceneFile {
     /// How long to simulate, s, more than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub(super) duration: f64,
-    /// The length of a step, s, more than 0, or "auto".
+    /// The length of a step, s, more than 0, or "auto": "dop853" and "dormand-prince-rkn8" then choose their steps themselves.
     pub(super) time_step: TimeStep,
     /// Frames per second of simulated time, more than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -39,7 +39,8 @@ pub(super) struct SceneFile {
     /// The numbers that the run computes with.
     #[schemars(with = "Precision", extend("default" = "f32"))]
     pub(super) precision: Option<Precision>,
-    /// Implicit steppers: the relative residual at which a step counts as solved, more than 0.
+    /// Implicit steppers: the relative residual at which a step counts as solved. "dop853" and "dormand-prince-rkn8" where
+    /// they choose their steps: the largest error of one, relative to the scene's size. More than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub(super) tolerance: f64,
     /// The largest distance of any particle from where it should be, m, more than 0. The time step is then found for it, and

@@ -98,6 +98,12 @@ impl StepperName {
     pub fn knows_damping(self) -> bool {
         self != Self::DormandPrinceRkn8
     }
+
+    /// Whether it can choose the lengths of its steps itself, by estimates of their errors.
+    #[must_use]
+    pub fn estimates_errors(self) -> bool {
+        matches!(self, Self::Dop853 | Self::DormandPrinceRkn8)
+    }
 }
 
 choice! {

@@ -12,7 +12,7 @@ pub struct Overrides {
     /// How long to simulate, s.
     #[arg(long, value_name = "SECONDS", value_parser = number, allow_negative_numbers = true)]
     pub duration: Option<f64>,
-    /// The length of a step, s, or auto.
+    /// The length of a step, s, or auto: dop853 and dormand-prince-rkn8 then choose their steps themselves.
     #[arg(long, value_name = "SECONDS|auto", allow_negative_numbers = true)]
     pub time_step: Option<TimeStep>,
     /// Frames per second of simulated time.
@@ -24,8 +24,8 @@ pub struct Overrides {
     /// What the run computes with.
     #[arg(long, value_name = "NAME")]
     pub precision: Option<Precision>,
-    /// The relative residual at which an implicit step counts as solved.
-    #[arg(long, value_name = "RESIDUAL", value_parser = number, allow_negative_numbers = true)]
+    /// The relative residual at which an implicit step counts as solved, or the largest error of a step that is chosen.
+    #[arg(long, value_name = "RELATIVE", value_parser = number, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// How far any particle may be from where it should be, m: the stepper, the precision and the time step are found for that, but for those that have a flag.
     #[arg(long, value_name = "METRES", value_parser = number, allow_negative_numbers = true)]

@@ -25,7 +25,8 @@ pub struct Settings {
     pub stepper: StepperName,
     /// What it is computed with.
     pub precision: Precision,
-    /// The relative residual at which an implicit step counts as solved, more than 0.
+    /// The relative residual at which an implicit step counts as solved, or the largest error of a step of a stepper that
+    /// chooses its steps, relative to the scene's size; more than 0.
     pub tolerance: f64,
     /// What happens at a plane.
     pub collision: CollisionForm,
@@ -59,7 +60,7 @@ impl Settings {
             checks::positive("time_step", seconds, "seconds")?;
         }
         checks::positive("frame_rate", self.frame_rate, "frames per second")?;
-        checks::positive("tolerance", self.tolerance, "relative residual")?;
+        checks::positive("tolerance", self.tolerance, "residual or error, relative")?;
         if let Some(speed) = self.sleep_speed {
             checks::positive("sleep_speed", speed, "metres per second")?;
         }

@@ -4,7 +4,7 @@ use std::io;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-use hooke::View;
+use hooke::{Stepper, View};
 
 use super::Stepped;
 use super::anchor::Anchor;
@@ -109,6 +109,27 @@ impl<R: Stepped> Frames<R> {
         }
         self.before.clear();
         self.before.extend(moments(&world.view(), self.anchor));
+        self.waiting += began.elapsed();
+    }
+
+    /// Takes the frames within a part of a step that has just been made, from the stepper itself.
+    pub(super) fn within_part(&mut self, view: &mut View<'_, R>, dt: R, stepper: &mut impl Stepper<R>, step: u64) {
+        let Some(background) = &mut self.background else { return };
+        let began = Instant::now();
+        let start = view.time();
+        while self.schedule.is_before_end(self.next, step) {
+            let time = self.schedule.frame_time(self.next);
+            let after = (time - start).max(0.0);
+            if after >= dt.to_f64() {
+                break;
+            }
+            let Some(between) = stepper.between(view, dt, R::from_f64(after)) else { break };
+            if hand_over(background, self.next, time, moments(&between, self.anchor), &[]).is_err() {
+                // What became of the frames says why.
+                break;
+            }
+            self.next += 1;
+        }
         self.waiting += began.elapsed();
     }
 

@@ -1,18 +1,21 @@
 //! The stepper and the response that a scene names.
 
 use hooke::{
-    Auto, BlanesMoanS6, Choice, Chosen, Dop853, DormandPrinceRkn8, ExplicitEuler, Full, ImplicitEuler,
-    ImplicitEulerLinearised, ImplicitMidpoint, LinearSolver, Observer, Plan, Project, Real, Reflect, Response, Rk4,
-    SemiImplicitEuler, StepError, StepReport, Stepper, TimeOfImpact, TrBdf2, VelocityVerlet, View,
+    AdaptiveDop853, AdaptiveDormandPrinceRkn8, Auto, BlanesMoanS6, Choice, Chosen, DenseOutput, Dop853,
+    DormandPrinceRkn8, ExplicitEuler, Full, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint, LinearSolver,
+    Observer, Plan, Project, Real, Reflect, Response, Rk4, SemiImplicitEuler, StepError, StepReport, Stepper,
+    TimeOfImpact, TrBdf2, VelocityVerlet, View,
 };
 
 use super::heap::Heap;
-use crate::scene::{CollisionForm, StepperName};
+use super::time_step::chooses_steps;
+use crate::scene::{CollisionForm, Settings, StepperName};
 
 /// The blocks of a factor that implicit steppers may have for each spring: enough for cloths of 64 x 64.
 pub const FILL: usize = 16;
 
 /// Any of the steppers.
+#[allow(clippy::large_enum_variant, reason = "there is one of it in a run")]
 pub enum AnyStepper<R: Real> {
     /// `explicit-euler`
     ExplicitEuler(ExplicitEuler),
@@ -36,12 +39,32 @@ pub enum AnyStepper<R: Real> {
     Dop853(Dop853<R, Heap>),
     /// `dormand-prince-rkn8`
     DormandPrinceRkn8(DormandPrinceRkn8<R, Heap>),
+    /// `dop853`, with steps of its own choice, and what is between their ends
+    AdaptiveDop853(DenseOutput<AdaptiveDop853<R, Heap>, R, Heap>),
+    /// `dormand-prince-rkn8`, likewise
+    AdaptiveDormandPrinceRkn8(AdaptiveDormandPrinceRkn8<R, Heap>),
     /// `auto`
     Auto(Auto<R, Heap, FILL>),
 }
 
 impl<R: Real> AnyStepper<R> {
-    /// The stepper of that name; the implicit ones solve to `tolerance`.
+    /// The stepper that settings ask for, for a scene whose farthest particle is `size` m from its middle: errors of steps
+    /// that are chosen are relative to that.
+    #[must_use]
+    pub fn of(settings: &Settings, size: f64) -> Self {
+        let tolerance = settings.tolerance * size;
+        match settings.stepper {
+            StepperName::Dop853 if chooses_steps(settings) => {
+                Self::AdaptiveDop853(DenseOutput::of(AdaptiveDop853::new(tolerance)))
+            }
+            StepperName::DormandPrinceRkn8 if chooses_steps(settings) => {
+                Self::AdaptiveDormandPrinceRkn8(AdaptiveDormandPrinceRkn8::new(tolerance))
+            }
+            stepper => Self::named(stepper, settings.tolerance),
+        }
+    }
+
+    /// The stepper of that name, with steps as they are given; the implicit ones solve to `tolerance`.
     #[must_use]
     pub fn named(name: StepperName, tolerance: f64) -> Self {
         match name {
@@ -109,6 +132,8 @@ macro_rules! each {
             AnyStepper::BlanesMoanS6($stepper) => $call,
             AnyStepper::Dop853($stepper) => $call,
             AnyStepper::DormandPrinceRkn8($stepper) => $call,
+            AnyStepper::AdaptiveDop853($stepper) => $call,
+            AnyStepper::AdaptiveDormandPrinceRkn8($stepper) => $call,
             AnyStepper::Auto($stepper) => $call,
         }
     };
@@ -141,6 +166,10 @@ impl<R: Real> Stepper<R> for AnyStepper<R> {
 
     fn fails(&mut self, view: &mut View<'_, R>) {
         each!(self, stepper => stepper.fails(view));
+    }
+
+    fn between<'a>(&'a mut self, view: &'a mut View<'_, R>, dt: R, after: R) -> Option<View<'a, R>> {
+        each!(self, stepper => stepper.between(view, dt, after))
     }
 
     fn order(&self) -> u32 {

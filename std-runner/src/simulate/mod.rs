@@ -6,6 +6,7 @@ mod build;
 mod frames;
 mod heap;
 mod interpolate;
+mod looking;
 mod method;
 mod run;
 mod schedule;
@@ -29,7 +30,7 @@ pub use run::{Options, Progress, RunError, Start, run};
 pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
 pub use threads::Threads;
-pub use time_step::{choose_time_step, largest_stable_step};
+pub use time_step::{choose_time_step, chooses_steps, largest_stable_step};
 pub(crate) use tracks::Tracks;
 pub(crate) use walk::Walk;
 

@@ -15,7 +15,7 @@ use super::method::AnyStepper;
 use super::schedule::{MOST, Schedule};
 use super::summary::{Ending, Summary};
 use super::threads::Threads;
-use super::time_step::choose_time_step;
+use super::time_step::{choose_time_step, looked_at_every, tells_between};
 use super::tracks::Tracks;
 use super::walk::Walk;
 use crate::model::Model;
@@ -83,7 +83,7 @@ pub struct Start {
     pub plan: Plan,
     /// The stability bounds; nothing where no spring pulls at a free particle.
     pub bound: Option<StabilityBound>,
-    /// The time step, s; nothing where particles fly from frame to frame.
+    /// The time step, s; nothing where particles fly from frame to frame, and where the stepper chooses its steps.
     pub time_step: Option<f64>,
     /// What solves the linear systems of a step; nothing for explicit steppers.
     pub linear_solver: Option<LinearSolver>,
@@ -102,7 +102,8 @@ impl Start {
         let view = world.view();
         let bound = view.stability();
         let time_step = choose_time_step(settings, view.plan(), bound.as_ref());
-        let schedule = Schedule::new(settings.duration, time_step, settings.frame_rate);
+        let every = looked_at_every(settings, view.plan(), time_step);
+        let schedule = Schedule::new(settings.duration, every, settings.frame_rate);
         let linear_solver = time_step.and_then(|dt| {
             // There is always room on the heap.
             AnyStepper::<R>::named(settings.stepper, settings.tolerance).linear_solver(&view, dt).ok().flatten()
@@ -135,8 +136,9 @@ pub fn run<R: Stepped>(
     let recorders = begin(&start).map_err(RunError::Begin)?;
     let mut run = Run {
         frames: Frames::new(start.schedule, anchor, recorders, model.particles.len()).map_err(RunError::Thread)?,
+        is_dense: tells_between(settings, &start.plan),
         summary: Summary::before(start),
-        walk: Walk::new(settings, options.ledger.then(|| Audit::open(&world.view())), threads.as_ref()),
+        walk: Walk::new(settings, model.size(), options.ledger.then(|| Audit::open(&world.view())), threads.as_ref()),
     };
     let began = Instant::now();
     // Where recording has stopped, what became of the frames says why.
@@ -160,6 +162,8 @@ pub fn run<R: Stepped>(
 
 struct Run<'a, R: Stepped> {
     frames: Frames<R>,
+    /// Whether frames within steps come from the stepper.
+    is_dense: bool,
     summary: Summary,
     walk: Walk<'a, R>,
 }
@@ -188,7 +192,9 @@ impl<R: Stepped> Run<'_, R> {
             if self.frames.have_stopped() {
                 return Err(Stopped);
             }
-            self.frames.before_step(world, &mut self.walk.stepper, step);
+            if !self.is_dense {
+                self.frames.before_step(world, &mut self.walk.stepper, step);
+            }
             if let Err(error) = self.step(world, tracks, step) {
                 self.summary.ending = match error {
                     StepError::NonFinite { particle } => Ending::NonFinite { particle },
@@ -214,7 +220,8 @@ impl<R: Stepped> Run<'_, R> {
         let (start, end) = (schedule.step_end(step - 1), schedule.step_end(step));
         let summary = &mut self.summary;
         let count = &mut |report: &StepReport| summary.count(report);
-        self.walk.step(world, tracks, start..end, schedule.step_length(step), count)?;
+        let within = self.is_dense.then_some((&mut self.frames, step));
+        self.walk.step_within(world, tracks, start..end, schedule.step_length(step), within, count)?;
         // A shortened last step may be within bounds that the others are not: it says nothing of the run.
         let whole = schedule.short_step().is_none() || step < schedule.steps();
         if let Some(choice) = self.walk.stepper.choice()

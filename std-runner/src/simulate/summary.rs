@@ -42,7 +42,7 @@ pub struct Summary {
     pub plan: Plan,
     /// The stability bounds at the start.
     pub bound: Option<StabilityBound>,
-    /// The time step, s; nothing where particles flew from frame to frame.
+    /// The time step, s; nothing where particles flew from frame to frame, and where the stepper chose its steps.
     pub time_step: Option<f64>,
     /// What `auto` chose, each choice that it made in the order in which it made them first.
     pub choices: Vec<Choice>,
@@ -56,6 +56,10 @@ pub struct Summary {
     pub balance: Option<Balance>,
     /// Islands that slept at the end; the plan says how many there are.
     pub islands_asleep: u32,
+    /// Steps that the stepper chose itself, bounces' own among them, without those taken again; 0 where it did not.
+    pub parts: u64,
+    /// Steps that it took again, shorter.
+    pub rejected: u64,
     /// Bounces.
     pub hits: u64,
     /// Particles that were stopped on planes because their bounces were too many to follow.
@@ -99,6 +103,8 @@ impl Summary {
             recording: Duration::ZERO,
             balance: None,
             islands_asleep: 0,
+            parts: 0,
+            rejected: 0,
             hits: 0,
             capped: 0,
             degenerate_springs: 0,
@@ -115,6 +121,8 @@ impl Summary {
 
     /// Adds what a step, or a part of one, reports.
     pub(crate) fn count(&mut self, report: &StepReport) {
+        self.parts += u64::from(report.parts);
+        self.rejected += u64::from(report.rejected);
         self.hits += u64::from(report.hits);
         self.capped += u64::from(report.capped);
         self.degenerate_springs = self.degenerate_springs.max(report.degenerate_springs);
@@ -135,7 +143,8 @@ impl Summary {
     /// Time a spring and step, ns; nothing without springs.
     #[must_use]
     pub fn nanoseconds_per_spring_step(&self) -> Option<f64> {
-        let spring_steps = f64::from(self.plan.springs) * self.steps as f64;
+        let steps = if self.parts > 0 { self.parts + self.rejected } else { self.steps };
+        let spring_steps = f64::from(self.plan.springs) * steps as f64;
         (spring_steps > 0.0).then(|| self.stepping.as_secs_f64() * 1e9 / spring_steps)
     }
 }

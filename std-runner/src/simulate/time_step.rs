@@ -8,14 +8,38 @@ use crate::scene::{CollisionForm, Settings, StepperName, TimeStep};
 /// wrong, and springs that stretch and turn on the way may lower it.
 const PART_OF_BOUND: f64 = 0.25;
 
+/// How often a run is looked at at least where its stepper chooses its steps: to tell how far it is, and to end it.
+const LOOKS: f64 = 32.0;
+
 /// No step that is chosen is longer than this, s: a slow scene is still to be drawn smoothly.
 const LONGEST: f64 = 0.01;
 
-/// The time step of a run, s; nothing where particles without springs fly exactly from frame to frame.
+/// Whether a run's stepper chooses the lengths of its steps itself, by its error estimate and the tolerance.
+#[must_use]
+pub fn chooses_steps(settings: &Settings) -> bool {
+    settings.time_step == TimeStep::Auto && settings.stepper.estimates_errors()
+}
+
+/// Whether frames within steps come from the stepper's dense output, so that no step has to end at one. What no spring pulls
+/// at flies on a path of its own, what sleeps is not stepped, and two forms of collision look for hits at ends of steps.
+pub(super) fn tells_between(settings: &Settings, plan: &Plan) -> bool {
+    let hits_at_ends = plan.planes > 0 && settings.collision != CollisionForm::TimeOfImpact;
+    let is_dense = chooses_steps(settings) && settings.stepper == StepperName::Dop853;
+    is_dense && plan.attached > 0 && plan.free() == 0 && settings.sleep_speed.is_none() && !hits_at_ends
+}
+
+/// What a run is stepped by between looks at it, s: its time step; where frames need not end steps, a part of it that leaves
+/// most of them whole; nothing where it is from frame to frame.
+pub(super) fn looked_at_every(settings: &Settings, plan: &Plan, time_step: Option<f64>) -> Option<f64> {
+    time_step.or_else(|| tells_between(settings, plan).then_some(settings.duration / LOOKS))
+}
+
+/// The time step of a run, s; nothing where particles without springs fly exactly from frame to frame, and where the
+/// stepper chooses its steps itself.
 #[must_use]
 pub fn choose_time_step(settings: &Settings, plan: &Plan, bound: Option<&StabilityBound>) -> Option<f64> {
     let flies = settings.stepper == StepperName::Auto && settings.collision == CollisionForm::TimeOfImpact;
-    if flies && plan.attached == 0 {
+    if flies && plan.attached == 0 || chooses_steps(settings) {
         return None;
     }
     Some(match settings.time_step {

@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
-use hooke::{Observer, StepError, StepReport, View};
+use hooke::{StepError, StepReport, View};
 
 use super::Stepped;
 use super::audit::Audit;
 use super::build::HeapWorld;
+use super::frames::Frames;
+use super::looking::Looking;
 use super::method::{AnyResponse, AnyStepper};
 use super::threads::Threads;
 use super::tracks::Tracks;
@@ -23,10 +25,10 @@ pub struct Walk<'a, R: Stepped> {
 }
 
 impl<'a, R: Stepped> Walk<'a, R> {
-    /// Before the first step.
-    pub fn new(settings: &Settings, audit: Option<Audit>, threads: Option<&'a Threads>) -> Self {
+    /// Before the first step of a scene of that size (m), which errors of steps that are chosen are relative to.
+    pub fn new(settings: &Settings, size: f64, audit: Option<Audit>, threads: Option<&'a Threads>) -> Self {
         Self {
-            stepper: AnyStepper::named(settings.stepper, settings.tolerance),
+            stepper: AnyStepper::of(settings, size),
             response: AnyResponse::named(settings.collision),
             audit,
             threads,
@@ -43,6 +45,19 @@ impl<'a, R: Stepped> Walk<'a, R> {
         length: f64,
         count: &mut dyn FnMut(&StepReport),
     ) -> Result<(), StepError> {
+        self.step_within(world, tracks, span, length, None, count)
+    }
+
+    /// The same; the frames of that step of the schedule are taken within it, if any are given.
+    pub(super) fn step_within(
+        &mut self,
+        world: &mut HeapWorld<R>,
+        tracks: &Tracks<'_>,
+        span: Range<f64>,
+        length: f64,
+        mut within: Option<(&mut Frames<R>, u64)>,
+        count: &mut dyn FnMut(&StepReport),
+    ) -> Result<(), StepError> {
         let mut from = span.start;
         for stop in tracks.stops(span.start, span.end) {
             tracks.drive(world, from, stop).map_err(|_| StepError::TimeStep)?;
@@ -51,26 +66,27 @@ impl<'a, R: Stepped> Walk<'a, R> {
             if let Some(threads) = self.threads {
                 view.share_among(threads);
             }
-            count(&self.take(&mut view, R::from_f64(length), stop)?);
+            let frames = within.as_mut().map(|(frames, step)| (&mut **frames, *step));
+            count(&self.take(&mut view, R::from_f64(length), stop, frames)?);
             from = stop;
         }
         Ok(())
     }
 
-    fn take(&mut self, view: &mut View<'_, R>, length: R, end: f64) -> Result<StepReport, StepError> {
-        fn take<R: Stepped>(
-            view: &mut View<'_, R>,
-            stepper: &mut AnyStepper<R>,
-            response: &mut AnyResponse<R>,
-            length: R,
-            end: f64,
-            observer: &mut impl Observer<R>,
-        ) -> Result<StepReport, StepError> {
-            view.step_to(stepper, response, length, end, observer)
-        }
-        match &mut self.audit {
-            Some(audit) => take(view, &mut self.stepper, &mut self.response, length, end, audit),
-            None => take(view, &mut self.stepper, &mut self.response, length, end, &mut ()),
+    fn take(
+        &mut self,
+        view: &mut View<'_, R>,
+        length: R,
+        end: f64,
+        within: Option<(&mut Frames<R>, u64)>,
+    ) -> Result<StepReport, StepError> {
+        let Self { stepper, response, audit, .. } = self;
+        match (within, audit) {
+            (Some((frames, step)), audit) => {
+                view.step_to(stepper, response, length, end, &mut Looking { frames, step, audit: audit.as_mut() })
+            }
+            (None, Some(audit)) => view.step_to(stepper, response, length, end, audit),
+            (None, None) => view.step_to(stepper, response, length, end, &mut ()),
         }
     }
 }

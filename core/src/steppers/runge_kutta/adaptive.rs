@@ -22,7 +22,7 @@ const SHORTEST: f64 = 1e-5;
 /// times (Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I*, §II.4). A step that a caller asks for
 /// is taken in as many parts as that takes; bounces begin parts of their own.
 pub struct Adaptive<R: Real, M: Storage, T, const STAGES: usize> {
-    method: RungeKutta<R, M, T, STAGES>,
+    pub(super) method: RungeKutta<R, M, T, STAGES>,
     /// m
     tolerance: f64,
     /// The length that the last estimate allows, s; infinite before there is one.
@@ -87,6 +87,7 @@ impl<R: Real, M: Storage, T: Embedded<STAGES>, const STAGES: usize> Stepper<R> f
     }
 
     fn advance_up_to(&mut self, view: &mut View<'_, R>, most: R, report: &mut StepReport) -> R {
+        report.parts = report.parts.saturating_add(1);
         let mut part = self.next_part(most);
         let mut largest = CHANGE[1];
         let shortest = (SHORTEST * *self.whole.get_or_insert(most.to_f64())).min(most.to_f64());

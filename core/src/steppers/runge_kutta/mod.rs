@@ -1,6 +1,8 @@
 //! Explicit Runge-Kutta methods: one loop over stages for all of them.
 
 mod adaptive;
+mod dense;
+mod dense_weights;
 mod dop853;
 mod dormand_prince_rkn8;
 mod embedded;
@@ -8,6 +10,7 @@ mod rk4;
 mod tableau;
 
 pub use adaptive::Adaptive;
+pub use dense::DenseOutput;
 pub use dop853::{AdaptiveDop853, Dop853};
 pub use dormand_prince_rkn8::{AdaptiveDormandPrinceRkn8, DormandPrinceRkn8};
 pub use rk4::Rk4;

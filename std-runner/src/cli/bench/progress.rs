@@ -6,7 +6,7 @@ use indicatif::ProgressBar;
 
 use crate::bench::{Contender, News, Swept};
 use crate::cli::progress::counter;
-use crate::units::{count, metres, seconds};
+use crate::units::{metres, seconds};
 
 /// A bar that counts contenders, with a line above it for each that is done; nothing where nobody looks.
 pub(super) struct Told {
@@ -34,11 +34,7 @@ impl Told {
             News::Point(point) => {
                 self.runs.set(self.runs.get() + 1);
                 let contender = self.contender.get().map_or_else(String::new, |contender| contender.to_string());
-                bar.set_message(format!(
-                    "{contender}: {} runs, the last of {} steps",
-                    self.runs.get(),
-                    count(point.steps)
-                ));
+                bar.set_message(format!("{contender}: {} runs, the last of {}", self.runs.get(), point.asked));
             }
             News::Swept(swept) => bar.println(format!("  {}", best(swept))),
             News::Finish => bar.set_message("all run once more, and those that may win several times"),

@@ -5,7 +5,7 @@ use crate::cli::Outcome;
 use crate::cli::failure::Failure;
 use crate::model::Model;
 use crate::scene::{Precision, Settings, StepperName};
-use crate::simulate::{Ending, Start, Summary, largest_stable_step};
+use crate::simulate::{Ending, Start, Summary, chooses_steps, largest_stable_step};
 use crate::units::{count, counted, seconds, short, times};
 
 /// What the caller and the person are told.
@@ -58,6 +58,11 @@ fn non_finite(model: &Model, settings: &Settings, summary: &Summary, particle: u
 /// The likely cause, and what to do.
 fn cause(model: &Model, settings: &Settings, start: &Start) -> (String, String) {
     let stepper = settings.stepper;
+    if chooses_steps(settings) && start.bound.is_some() {
+        let cause = format!("in the shortest steps that {stepper} takes its values have outgrown the precision");
+        let wider = if settings.precision == Precision::F64 { "" } else { "--precision f64, " };
+        return (cause, format!("use {wider}smaller velocities, softer springs, or a shorter duration"));
+    }
     let (Some(bound), Some(time_step), Some(remedy)) = (start.bound, start.time_step, Remedy::of(settings, start))
     else {
         let wider = if settings.precision == Precision::F32 { "use --precision f64, or " } else { "" };
@@ -96,6 +101,9 @@ fn cause(model: &Model, settings: &Settings, start: &Start) -> (String, String) 
 }
 
 fn unconverged(settings: &Settings, summary: &Summary, recorded: bool) -> Failure {
+    if chooses_steps(settings) {
+        return unmet(settings, summary, recorded);
+    }
     let message = format!(
         "{} of {} were not solved to the tolerance of {:e}: the largest residual is {:.1e}{}",
         count(summary.unconverged),
@@ -107,4 +115,18 @@ fn unconverged(settings: &Settings, summary: &Summary, recorded: bool) -> Failur
     let floor = if settings.precision == Precision::F32 { ", or --precision f64" } else { "" };
     let step = summary.time_step.map_or_else(String::new, |step| format!(" than {step:?}"));
     Failure::failed(message, format!("use a smaller --time-step{step}, or a looser --tolerance{floor}"))
+}
+
+/// Steps that even at their shortest are more wrong than they may be.
+fn unmet(settings: &Settings, summary: &Summary, recorded: bool) -> Failure {
+    let message = format!(
+        "{} cannot keep errors below the tolerance of {:e} in {}, however short its steps: the largest is {:.1e} times that{}",
+        settings.stepper,
+        settings.tolerance,
+        settings.precision,
+        summary.residual,
+        if recorded { "; all frames were written" } else { "" }
+    );
+    let wider = if settings.precision == Precision::F64 { "" } else { ", or --precision f64" };
+    Failure::failed(message, format!("use a looser --tolerance{wider}"))
 }

@@ -6,7 +6,7 @@ use crate::accuracy::Attained;
 use crate::advice::skipped;
 use crate::cli::table::rows;
 use crate::scene::Settings;
-use crate::simulate::{Ending, Summary};
+use crate::simulate::{Ending, Summary, chooses_steps};
 use crate::units::{count, counted, seconds};
 
 /// All of it, for standard error.
@@ -70,6 +70,18 @@ fn reached(settings: &Settings, summary: &Summary) -> String {
 
 fn steps(settings: &Settings, summary: &Summary) -> String {
     let precision = settings.precision;
+    if chooses_steps(settings) && summary.plan.attached > 0 {
+        let Settings { stepper, tolerance, .. } = settings;
+        let again = if summary.rejected > 0 {
+            format!(", and {} that it took again, shorter", count(summary.rejected))
+        } else {
+            String::new()
+        };
+        return format!(
+            "{} chosen by {stepper} to a tolerance of {tolerance:e}{again}, {precision}",
+            count(summary.parts)
+        );
+    }
     let Some(time_step) = summary.time_step else {
         return format!("{} from frame to frame, {}, {precision}", count(summary.steps), settings.stepper);
     };
