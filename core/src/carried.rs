@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::Real;
 use crate::lanes::{self, Present, SixColumns};
 use crate::vectors::{
-    Columns, ColumnsMut, cut, cut_mut, difference, fetch, lend, read, split, store, triples, triples_mut,
+    Columns, ColumnsMut, cut, cut_mut, difference, fetch, lend, read, split, store, stretch, triples, triples_mut,
 };
 
 /// Three columns and their residuals, read.
@@ -19,9 +19,16 @@ impl<R: Real> Carried<'_, R> {
     /// The same stretch of all, or nothing if it does not lie in all of them.
     #[inline(always)]
     pub fn cut(self, range: Range<u32>) -> Option<Self> {
-        // Where there are none, nobody asks how many.
-        let residual = if R::IS_COMPENSATED { cut(self.residual, range.clone())? } else { self.residual };
+        // Where there are none, nothing is to be carried along that says so.
+        let residual = if R::IS_COMPENSATED { cut(self.residual, range.clone())? } else { [R::NO_RESIDUALS; 3] };
         Some(Self { value: cut(self.value, range)?, residual })
+    }
+
+    /// So many of all from an index on, or nothing if there are fewer.
+    #[inline(always)]
+    pub fn stretch(self, first: u32, count: usize) -> Option<Self> {
+        let residual = if R::IS_COMPENSATED { stretch(self.residual, first, count)? } else { [R::NO_RESIDUALS; 3] };
+        Some(Self { value: stretch(self.value, first, count)?, residual })
     }
 
     /// Vector `to` less vector `from`.

@@ -75,6 +75,7 @@ impl Real for Compensated {
     type Residual = Self;
     const IS_COMPENSATED: bool = true;
     const NO_RESIDUAL: Self = Self::ZERO;
+    const NO_RESIDUALS: &'static [Self] = &[];
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
     const EPSILON: Self = Self(f32::EPSILON);

@@ -46,6 +46,8 @@ pub trait Real:
     const IS_COMPENSATED: bool;
     /// Where nothing has been lost.
     const NO_RESIDUAL: Self::Residual;
+    /// As many residuals as anybody asks for, where there are none to be kept; else none.
+    const NO_RESIDUALS: &'static [Self::Residual];
     /// 0.
     const ZERO: Self;
     /// 1.
@@ -99,6 +101,7 @@ macro_rules! real {
             type Residual = ();
             const IS_COMPENSATED: bool = false;
             const NO_RESIDUAL: () = ();
+            const NO_RESIDUALS: &'static [()] = &[(); usize::MAX];
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const EPSILON: Self = $type::EPSILON;

@@ -162,6 +162,14 @@ pub fn cut<const COLUMNS: usize, T>(columns: [&[T]; COLUMNS], range: Range<u32>)
     Some(cut)
 }
 
+/// So many items of three columns from an index on, or nothing if there are fewer: in what follows the compiler knows that
+/// they are as many as others that were cut to this number.
+#[inline(always)]
+pub fn stretch<T>([x, y, z]: Columns<'_, T>, first: u32, count: usize) -> Option<Columns<'_, T>> {
+    let first = first as usize;
+    Some([x.get(first..)?.get(..count)?, y.get(first..)?.get(..count)?, z.get(first..)?.get(..count)?])
+}
+
 /// The same stretch of three written columns, or nothing if it does not lie in all of them.
 #[inline(always)]
 pub fn cut_mut<T>([x, y, z]: ColumnsMut<'_, T>, range: Range<u32>) -> Option<ColumnsMut<'_, T>> {

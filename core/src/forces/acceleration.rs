@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::lanes::{self, Kernel, Present, Set};
-use crate::vectors::{Columns, ColumnsMut, cut, lend, set, triples, triples_mut};
+use crate::vectors::{Columns, ColumnsMut, cut, lend, read, set, triples, triples_mut};
 use crate::world::System;
 
 /// Where a particle's acceleration comes from.
@@ -72,44 +72,58 @@ pub struct Rest<'a, R, A> {
 }
 
 impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
-    /// With the inverse mass of the plan's particles of one mass in `uniform`, if at all, as often as a tile has particles:
-    /// it is in the first cache, their own may not be. Nothing if the masses of so many particles are not known.
+    /// With the inverse masses of these particles.
     #[inline(always)]
     pub fn of(
         system: &System<'a, R>,
         slots: Range<u32>,
         below: ColumnsMut<'a, R>,
         above: Columns<'a, R>,
-        uniform: &'a [R],
+        inverse_mass: &'a [R],
         acceleration: A,
-    ) -> Option<Self> {
-        let of_one_mass = &system.plan.of_one_mass;
-        let is_uniform = !uniform.is_empty() && of_one_mass.0 <= slots.start && slots.end <= of_one_mass.1;
-        let [inverse_mass] = if is_uniform {
-            cut([uniform], 0..slots.end - slots.start)?
-        } else {
-            cut([system.inverse_mass], slots.clone())?
-        };
+    ) -> Self {
         let rest = Rest { above, inverse_mass, gravity: system.gravity, lanes: system.lanes, acceleration };
-        Some(Self { slots, below, rest })
+        Self { slots, below, rest }
+    }
+
+    /// Writes the accelerations in place of the forces from below, and lends them.
+    #[inline(always)]
+    pub fn fresh(&mut self) -> Columns<'_, R> {
+        lanes::run(self.rest.lanes, Write { below: lend(&mut self.below), rest: &self.rest });
+        read(&self.below)
     }
 
     /// Writes the accelerations in place of the forces from below.
+    #[inline(always)]
     pub fn write(mut self) -> Tile<'a, R, Known> {
-        lanes::run(self.rest.lanes, Write { below: lend(&mut self.below), rest: self.rest });
+        self.fresh();
         let Rest { above, inverse_mass, gravity, lanes, .. } = self.rest;
         let rest = Rest { above, inverse_mass, gravity, lanes, acceleration: Known };
         Tile { slots: self.slots, below: self.below, rest }
     }
 }
 
-/// Accelerations in place of forces from below.
-struct Write<'a, R, A> {
-    below: ColumnsMut<'a, R>,
-    rest: Rest<'a, R, A>,
+/// The inverse masses of a tile's particles: that of the plan's particles of one mass in `uniform`, if at all, as often as
+/// a tile has particles, which is in the first cache where their own may not be. Nothing if they are not known.
+#[inline(always)]
+pub fn inverse_masses<'a, R: Real>(system: &System<'a, R>, slots: &Range<u32>, uniform: &'a [R]) -> Option<&'a [R]> {
+    let of_one_mass = &system.plan.of_one_mass;
+    let is_uniform = !uniform.is_empty() && of_one_mass.0 <= slots.start && slots.end <= of_one_mass.1;
+    let [inverse_mass] = if is_uniform {
+        cut([uniform], 0..slots.end - slots.start)?
+    } else {
+        cut([system.inverse_mass], slots.clone())?
+    };
+    Some(inverse_mass)
 }
 
-impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, R, A> {
+/// Accelerations in place of forces from below.
+struct Write<'a, 'b, R, A> {
+    below: ColumnsMut<'a, R>,
+    rest: &'a Rest<'b, R, A>,
+}
+
+impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, '_, R, A> {
     type Output = ();
 
     #[inline(always)]

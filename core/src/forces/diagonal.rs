@@ -4,11 +4,11 @@ use core::marker::PhantomData;
 use core::ops::Range;
 
 use super::law::{Elastic, Tension};
-use super::tiles::Forces;
+use super::tiles::{Forces, States};
 use crate::Real;
 use crate::carried::{Carried, corrected};
 use crate::lanes::{self, SixColumns};
-use crate::vectors::{Columns, cut, cut_mut, difference, lend, scaled, triples, triples_mut};
+use crate::vectors::{cut, cut_mut, difference, lend, scaled, stretch, triples, triples_mut};
 use crate::world::{Law, Piece, Springs, TILE};
 
 /// In place of a piece's presences: no gaps.
@@ -71,13 +71,17 @@ fn pull<R: Real, F: Tension>(
     let [below_x, below_y, below_z] = if upper.end <= forces.slots.end {
         cut_mut(lend(&mut forces.below), from(upper.start - forces.slots.start))?
     } else {
-        cut_mut(lend(&mut forces.nowhere), from(0))?
+        let nowhere = forces.nowhere.as_deref_mut()?;
+        cut_mut(nowhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice), from(0))?
     };
-    let position = [forces.position.cut(lower.clone())?, forces.position.cut(upper.clone())?];
-    let velocity = [cut(forces.velocity, lower)?, cut(forces.velocity, upper)?];
-    let places = Places::<R, _, F> { laws: laws.clone(), position, velocity, tension: PhantomData };
-    let undirected = lanes::run_on_six(forces.lanes, places, above_x, above_y, above_z, below_x, below_y, below_z);
-    Some(if undirected == 0 { 0 } else { count_degenerate(laws, position) })
+    let states = forces.states;
+    let places =
+        Places::<R, _, F> { laws: laws.clone(), states, lower: lower.start, upper: upper.start, tension: PhantomData };
+    let undirected = lanes::run_on_six(forces.lanes, places, above_x, above_y, above_z, below_x, below_y, below_z)?;
+    if undirected == 0 {
+        return Some(0);
+    }
+    Some(count_degenerate(laws, [states.position.cut(lower)?, states.position.cut(upper)?]))
 }
 
 /// Of the places without a direction, those with a spring.
@@ -100,18 +104,18 @@ fn differences<'a, R: Real>([x_i, x_j]: [Carried<'a, R>; 2]) -> impl Iterator<It
 /// The places of a piece, each with or without a spring.
 struct Places<'a, R: Real, I, F> {
     laws: I,
-    /// m, of the lower and the upper ends.
-    position: [Carried<'a, R>; 2],
-    /// m/s
-    velocity: [Columns<'a, R>; 2],
+    states: &'a States<'a, R>,
+    /// The first slots of the lower and of the upper ends.
+    lower: u32,
+    upper: u32,
     tension: PhantomData<F>,
 }
 
 impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, F: Tension> SixColumns<R> for Places<'_, R, I, F> {
-    type Output = u32;
+    type Output = Option<u32>;
 
     /// The loop itself. Returns at how many places there is no direction, with or without a spring: which of those there
-    /// are is too rare a question to be asked here.
+    /// are is too rare a question to be asked here. Nothing if a column is too short.
     #[inline(always)]
     fn run(
         self,
@@ -121,9 +125,14 @@ impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, F: Tension> SixColumns<R> for 
         below_x: &mut [R],
         below_y: &mut [R],
         below_z: &mut [R],
-    ) -> u32 {
-        let [v_i, v_j] = self.velocity;
-        let states = differences(self.position).zip(triples(v_i).zip(triples(v_j)));
+    ) -> Option<u32> {
+        let (States { position, velocity }, count) = (self.states, above_x.len());
+        let position = [position.stretch(self.lower, count)?, position.stretch(self.upper, count)?];
+        let (v_i, v_j) = (stretch(*velocity, self.lower, count)?, stretch(*velocity, self.upper, count)?);
+        let (above_y, above_z) = (above_y.get_mut(..count)?, above_z.get_mut(..count)?);
+        let (below_x, below_y) = (below_x.get_mut(..count)?, below_y.get_mut(..count)?);
+        let below_z = below_z.get_mut(..count)?;
+        let states = differences(position).zip(triples(v_i).zip(triples(v_j)));
         let forces = triples_mut([above_x, above_y, above_z]).zip(triples_mut([below_x, below_y, below_z]));
         let mut undirected = 0;
         for (((d, (v_i, v_j)), (law, is_there)), (above, below)) in states.zip(self.laws).zip(forces) {
@@ -135,6 +144,6 @@ impl<R: Real, I: Iterator<Item = (Law<R>, bool)>, F: Tension> SixColumns<R> for 
             }
             undirected += u32::from(!has_direction);
         }
-        undirected
+        Some(undirected)
     }
 }

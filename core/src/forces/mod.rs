@@ -24,7 +24,7 @@ pub(crate) use net::pull;
 pub(crate) use tiles::{Keep, Then};
 
 use law::{Damped, Damping, Tension};
-use tiles::{Accelerations, Outcome};
+use tiles::{Accelerations, Outcome, States};
 
 impl<R: Real> System<'_, R> {
     /// a(x, v) of every particle, m/s²: gravity plus the spring forces over the mass; 0 where pinned or kinematic.
@@ -78,7 +78,8 @@ impl<R: Real> System<'_, R> {
         tension: impl Tension,
     ) -> Outcome {
         let slots = 0..self.plan.particles;
-        let whole = Accelerations { system: self, position, velocity, slots, out, then, tension, window: None };
+        let states = &States { position, velocity };
+        let whole = Accelerations { system: self, states, slots, out, then, tension, window: None };
         share(whole, self.workers)
     }
 }

@@ -27,9 +27,9 @@ fn add_batch<R: Real, F: Tension>(springs: &Springs<'_, R>, batch: Range<u32>, f
     let vectors = triples_mut(d.each_mut().map(<[R; BATCH]>::as_mut_slice))
         .zip(triples_mut(v.each_mut().map(<[R; BATCH]>::as_mut_slice)));
     for ((d, v), &[i, j]) in vectors.zip(ends) {
-        set(d, forces.position.difference(j, i));
+        set(d, forces.states.position.difference(j, i));
         if F::READS_VELOCITY {
-            set(v, difference(fetch(forces.velocity, j), fetch(forces.velocity, i)));
+            set(v, difference(fetch(forces.states.velocity, j), fetch(forces.states.velocity, i)));
         }
     }
     let laws = window([springs.stiffness, springs.damping, springs.rest_length], batch).map(batched);

@@ -3,13 +3,13 @@
 use core::ops::Range;
 
 use super::law::Tension;
-use super::tiles::{Accelerations, Outcome, Then};
+use super::tiles::{Accelerations, Outcome, Room, Then};
 use super::window::{self, Window};
 use crate::Real;
 use crate::lanes::Lanes;
 use crate::shared::Divisible;
 use crate::vectors::split;
-use crate::world::System;
+use crate::world::{System, TILE};
 
 /// Each half writes to its own particles alone, and goes through the springs that pull at them in the same order as
 /// the whole would: the bits are the same. What both need of a spring across the cut is worked out twice.
@@ -25,22 +25,24 @@ impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
     }
 
     fn halves(self, slot: u32) -> (Self, Self) {
-        let Self { system, position, velocity, slots, out, then, tension, .. } = self;
+        let Self { system, states, slots, out, then, tension, .. } = self;
         let (lower_out, upper_out) = split(out, slot - slots.start);
         let (lower_then, upper_then) = then.split(slot);
         let (lower, upper) = (slots.start..slot, slot..slots.end);
         (
-            Self { system, position, velocity, slots: lower, out: lower_out, then: lower_then, tension, window: None },
-            Self { system, position, velocity, slots: upper, out: upper_out, then: upper_then, tension, window: None },
+            Self { system, states, slots: lower, out: lower_out, then: lower_then, tension, window: None },
+            Self { system, states, slots: upper, out: upper_out, then: upper_then, tension, window: None },
         )
     }
 
-    fn alone(self) -> Outcome {
+    fn alone(mut self) -> Outcome {
         let plan = &self.system.plan;
         if window::pays(plan.live() - plan.on_diagonals) {
             through_window(self)
+        } else if plan.particles as usize <= FEW {
+            with_room::<R, T, F, FEW>(&mut self)
         } else {
-            self.go_through().unwrap_or_default()
+            with_room::<R, T, F, { TILE as usize }>(&mut self)
         }
     }
 
@@ -49,11 +51,21 @@ impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
     }
 }
 
+/// Particles that are so few that clearing the room for a whole tile would take longer than they do.
+const FEW: usize = TILE as usize / 2;
+
 /// Apart, so that others need not have the room.
+#[inline(never)]
+fn with_room<R: Real, T: Then<R>, F: Tension, const SIZE: usize>(work: &mut Accelerations<'_, R, T, F>) -> Outcome {
+    let mut room = Room([[R::ZERO; SIZE]; 3]);
+    work.go_through(room.0.each_mut().map(<[R; SIZE]>::as_mut_slice)).unwrap_or_default()
+}
+
+/// Apart likewise.
 #[inline(never)]
 fn through_window<R: Real, T: Then<R>, F: Tension>(work: Accelerations<'_, R, T, F>) -> Outcome {
     let mut window = Window::new();
     // What a window writes in vectors of AVX2 is read right after: wider ones would wait until it has left the store buffer.
     let system = &System { lanes: work.system.lanes.at_most(Lanes::Avx2), ..*work.system };
-    Accelerations { system, window: Some(&mut window), ..work }.go_through().unwrap_or_default()
+    with_room::<R, T, F, { TILE as usize }>(&mut Accelerations { system, window: Some(&mut window), ..work })
 }

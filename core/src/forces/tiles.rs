@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::acceleration::{Acceleration, Falling, Pulled, Tile};
+use super::acceleration::{Acceleration, Falling, Pulled, Tile, inverse_masses};
 use super::law::Tension;
 use super::sweep::Sweep;
 use super::window::Window;
@@ -29,8 +29,8 @@ pub struct Keep;
 
 impl<R: Real> Then<R> for Keep {
     #[inline(always)]
-    fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool {
-        tile.write();
+    fn then<A: Acceleration<R>>(&mut self, mut tile: Tile<'_, R, A>) -> bool {
+        tile.fresh();
         true
     }
 
@@ -42,8 +42,7 @@ impl<R: Real> Then<R> for Keep {
 /// a(x, v) of the particles in `slots`, written to `out`, and what follows.
 pub struct Accelerations<'a, R: Real, T, F> {
     pub system: &'a System<'a, R>,
-    pub position: Carried<'a, R>,
-    pub velocity: Columns<'a, R>,
+    pub states: &'a States<'a, R>,
     /// Begins and ends with a tile, or with the particles.
     pub slots: Range<u32>,
     /// Of these slots.
@@ -57,7 +56,7 @@ pub struct Accelerations<'a, R: Real, T, F> {
 
 /// What is not in columns of the world, aligned, so that no vector lies across two lines of the cache.
 #[repr(C, align(64))]
-struct Room<T>(T);
+pub struct Room<T>(pub T);
 
 /// What came of it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -69,14 +68,15 @@ pub struct Outcome {
 }
 
 impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
-    /// Nothing if a column is too short.
-    pub fn go_through(self) -> Option<Outcome> {
-        let Self { system, position, velocity, slots, mut out, mut then, mut window, .. } = self;
+    /// With room for the forces from above on the particles of a tile, or on all if they are fewer, all 0. Nothing if a
+    /// column is too short.
+    pub fn go_through(&mut self, mut from_above: ColumnsMut<'_, R>) -> Option<Outcome> {
+        // Lent, as it is too large to be moved about.
+        let Self { system, states, slots, out, then, window, .. } = self;
+        let (system, states) = (*system, *states);
         let attached = system.plan.attached;
         let pulled = slots.start.min(attached)..slots.end.min(attached);
         let mut outcome = Outcome { degenerate: 0, finite: true };
-        let mut room = Room([[R::ZERO; TILE as usize]; 3]);
-        let Room(from_above) = &mut room;
         // Of few particles their own masses are in the first cache as well.
         let of_one_mass;
         let inverse_mass: &[R] = if system.plan.particles > TILE {
@@ -87,28 +87,29 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
         };
         // Only of a part springs reach what is not its own: the whole need not make it 0.
         let mut elsewhere;
-        let mut nowhere: ColumnsMut<'_, R> = if pulled != (0..attached) {
+        let mut nowhere: Option<&mut Scratch<R>> = if pulled != (0..attached) {
             elsewhere = [[R::ZERO; TILE as usize]; 3];
-            elsewhere.each_mut().map(<[R; TILE as usize]>::as_mut_slice)
+            Some(&mut elsewhere)
         } else {
-            Default::default()
+            None
         };
         let mut sweep = Sweep::reaching(&system.springs.first(system.plan.live()), system.plan.span, pulled.start);
+        let mut is_cleared = true;
         while sweep.slot < pulled.end {
             let tile = sweep.slot..sweep.slot.saturating_add(TILE).min(pulled.end);
             let is_ours = tile.start >= pulled.start;
-            for column in window_mut(lend(&mut out), within(&pulled, &sweep.clearing(&tile, &pulled))) {
+            for column in window_mut(lend(out), within(&pulled, &sweep.clearing(&tile, &pulled))) {
                 column.fill(R::ZERO);
             }
             let mut forces = Forces {
-                position,
-                velocity,
+                states,
                 lanes: system.lanes,
                 start: tile.start,
-                above: from_above.each_mut().map(<[R; TILE as usize]>::as_mut_slice),
+                above: lend(&mut from_above),
+                is_cleared,
                 slots: pulled.clone(),
-                below: lend(&mut out),
-                nowhere: lend(&mut nowhere),
+                below: lend(out),
+                nowhere: nowhere.as_deref_mut(),
             };
             let window = window.as_deref_mut().filter(|_| is_ours);
             let pull = Pull {
@@ -120,27 +121,32 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
                 tension: PhantomData::<F>,
             };
             let degenerate = lanes::run(system.lanes, pull)?;
+            is_cleared = false;
             if !is_ours {
                 // It lies before these slots: its springs were gone through for what they pull at in them.
                 continue;
             }
             outcome.degenerate += degenerate;
-            let below = cut_mut(lend(&mut out), within(&pulled, &tile))?;
-            let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
-            let sums = Tile::of(system, tile.clone(), below, above, inverse_mass, Pulled)?;
+            let below = cut_mut(lend(out), within(&pulled, &tile))?;
+            let above = cut(read(&from_above), 0..tile.end - tile.start)?;
+            let inverse_mass = inverse_masses(system, &tile, inverse_mass)?;
+            // Made where it is wanted: moved, it would have to be read while it is still being written.
+            let slots = tile.clone();
+            let sums = || Tile::of(system, slots, below, above, inverse_mass, Pulled);
             outcome.finite &= if system.support {
-                let mut held = sums.write();
-                hold_up(system, tile, position.value, velocity, lend(&mut held.below));
+                let mut held = sums().write();
+                hold_up(system, tile, states.position.value, states.velocity, lend(&mut held.below));
                 then.then(held)
             } else {
-                then.then(sums)
+                then.then(sums())
             };
         }
         for tile in tiles(slots.start.max(attached)..slots.end) {
-            let none = cut_mut(lend(&mut out), within(&slots, &tile))?;
+            let none = cut_mut(lend(out), within(slots, &tile))?;
             // Of a length with the others: what is in it is not looked at.
-            let above = cut(from_above.each_ref().map(<[R; TILE as usize]>::as_slice), 0..tile.end - tile.start)?;
-            outcome.finite &= then.then(Tile::of(system, tile, none, above, inverse_mass, Falling)?);
+            let above = cut(read(&from_above), 0..tile.end - tile.start)?;
+            let inverse_mass = inverse_masses(system, &tile, inverse_mass)?;
+            outcome.finite &= then.then(Tile::of(system, tile, none, above, inverse_mass, Falling));
         }
         Some(outcome)
     }
@@ -172,15 +178,19 @@ impl<R: Real, F: Tension> Kernel for Pull<'_, '_, '_, R, F> {
         let Self { system, sweep, tile, window, forces, .. } = self;
         // With lengths that are known to be the same, a range is checked once for all columns.
         let particles = 0..system.plan.particles;
+        let states = States {
+            position: forces.states.position.cut(particles.clone())?,
+            velocity: cut(forces.states.velocity, particles)?,
+        };
         let mut forces = Forces {
-            position: forces.position.cut(particles.clone())?,
-            velocity: cut(forces.velocity, particles)?,
+            states: &states,
             lanes: forces.lanes,
             start: forces.start,
             above: cut_mut(lend(&mut forces.above), 0..tile.end - tile.start)?,
+            is_cleared: forces.is_cleared,
             slots: forces.slots.clone(),
             below: cut_mut(lend(&mut forces.below), 0..forces.slots.end - forces.slots.start)?,
-            nowhere: lend(&mut forces.nowhere),
+            nowhere: forces.nowhere.as_deref_mut(),
         };
         match window {
             // What nobody can have costs a program nothing.
@@ -209,7 +219,7 @@ fn add_windowed<R: Real, F: Tension>(
         window.let_go_of_all(lend(&mut forces.below), first)?;
         return Some(add_tile::<R, F>(system, sweep, tile.end, forces));
     }
-    window.keep(&slots, forces.position, forces.velocity, read(&forces.below), first)?;
+    window.keep(&slots, forces.states.position, forces.states.velocity, read(&forces.below), first)?;
     let springs = sweep.all(tile.end);
     let degenerate = if system.plan.damped == Coverage::None {
         window.add::<F::Undamped>(&system.springs, springs, set)?
@@ -230,8 +240,10 @@ fn add_tile<R: Real, F: Tension>(
     forces: &mut Forces<'_, R>,
 ) -> u32 {
     let springs = &system.springs;
-    for column in lend(&mut forces.above) {
-        column.fill(R::ZERO);
+    if !forces.is_cleared {
+        for column in lend(&mut forces.above) {
+            column.fill(R::ZERO);
+        }
     }
     let mut degenerate = 0;
     loop {
@@ -252,17 +264,27 @@ fn add_tile<R: Real, F: Tension>(
 
 /// The forces on the particles of a tile as they are being added.
 pub struct Forces<'a, R: Real> {
-    pub position: Carried<'a, R>,
-    pub velocity: Columns<'a, R>,
+    pub states: &'a States<'a, R>,
     pub lanes: Present,
     /// The tile's first slot.
     pub start: u32,
     /// From springs to higher slots, of the tile's particles.
     pub above: ColumnsMut<'a, R>,
+    /// Whether these are 0 still.
+    pub is_cleared: bool,
     /// The slots that are asked for.
     pub slots: Range<u32>,
     /// From springs to lower slots, of those.
     pub below: ColumnsMut<'a, R>,
-    /// For what springs to lower slots do to others: as long as a tile.
-    pub nowhere: ColumnsMut<'a, R>,
+    /// For what springs to lower slots do to others, if there are any.
+    pub nowhere: Option<&'a mut Scratch<R>>,
 }
+
+/// What forces follow from.
+pub struct States<'a, R: Real> {
+    pub position: Carried<'a, R>,
+    pub velocity: Columns<'a, R>,
+}
+
+/// A vector for each particle of a tile.
+pub type Scratch<R> = [[R; TILE as usize]; 3];

@@ -1,6 +1,6 @@
 //! A splitting method of order 4: drifts and kicks by turns.
 
-use super::combination::{Combination, Terms};
+use super::combination::{Combination, Factors, Terms};
 use crate::Real;
 use crate::carried::Carried;
 use crate::forces::{Keep, Then};
@@ -11,6 +11,9 @@ use crate::world::{Column, Coverage, Plan, StateColumns, Storage, System, View};
 
 /// The terms of the series that a damped kick is.
 const TERMS: usize = 4;
+
+/// Where nothing kicks.
+const NONE: Factors<'_, TERMS> = Factors { scale: 0.0, coefficients: &[0.0; TERMS] };
 
 /// a: the drifts, each but the first after a kick; the last three mirror the first.
 const DRIFTS: [f64; 7] = {
@@ -55,11 +58,11 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
         let (x, v) = (current.carried_position(), current.carried_velocity());
         let [first, drifts @ ..] = DRIFTS;
         let drift = Combination {
-            terms: &Terms::new(R::from_f64(first) * dt, [R::ZERO; TERMS], None),
+            terms: Terms { drift: R::from_f64(first) * dt, position: NONE, velocity: None },
             is_step: false,
             carries_velocity: false,
             lanes: system.lanes,
-            state: (x, v),
+            state: &(x, v),
             known: &[],
             first: 0,
             to: next.lend(),
@@ -70,7 +73,8 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
             let (from, to) = if kick % 2 == 0 { (&next, &mut spare) } else { (&spare, &mut next) };
             let position = from.carried_position();
             let velocity = if kick == 0 { v } else { from.carried_velocity() };
-            let terms_of_kick = kicked(b * dt.to_f64(), a * dt.to_f64(), count);
+            let series = series(b * dt.to_f64(), count);
+            let h = a * dt.to_f64();
             for term in 0..count {
                 let Some((earlier, [fresh, ..])) = terms.split_at_mut_checked(term) else { return };
                 let mut known = [Columns::<R>::default(); TERMS];
@@ -85,11 +89,11 @@ impl<R: Real, M: Storage> BlanesMoanS6<R, M> {
                     continue;
                 }
                 let kicked = Combination {
-                    terms: &terms_of_kick,
+                    terms: kicked(h, &series),
                     is_step: kick + 1 == KICKS.len(),
                     carries_velocity: true,
                     lanes: system.lanes,
-                    state: (position, velocity),
+                    state: &(position, velocity),
                     known,
                     first: 0,
                     to: to.lend(),
@@ -118,14 +122,20 @@ fn evaluate<R: Real>(
 }
 
 /// v + τ a + τ²/2 D a + …, and x + h times that.
-fn kicked<R: Real>(tau: f64, h: f64, count: usize) -> Terms<R, TERMS> {
+fn kicked<R: Real>(h: f64, series: &[f64; TERMS]) -> Terms<'_, R, TERMS> {
+    let factors = |scale| Factors { scale, coefficients: series };
+    Terms { drift: R::from_f64(h), position: factors(h), velocity: Some(factors(1.0)) }
+}
+
+/// τ, τ²/2, …
+fn series(tau: f64, count: usize) -> [f64; TERMS] {
     let mut series = [0.0; TERMS];
     let mut power = 1.0;
     for (order, term) in (1..).zip(&mut series).take(count) {
         power *= tau / f64::from(order);
         *term = power;
     }
-    Terms::new(R::from_f64(h), series.map(|term| R::from_f64(h * term)), Some(series.map(R::from_f64)))
+    series
 }
 
 impl<R: Real, M: Storage> Default for BlanesMoanS6<R, M> {

@@ -10,6 +10,7 @@ mod implicit_euler_linearised;
 mod implicit_midpoint;
 mod runge_kutta;
 mod semi_implicit_euler;
+mod stage_sums;
 mod tr_bdf2;
 mod velocity_verlet;
 mod verlet_stages;

@@ -6,7 +6,7 @@ use super::tableau::weighted;
 use super::{Adaptive, RungeKutta};
 use crate::Real;
 use crate::roles::Stepper;
-use crate::steppers::combination::{Combination, Terms};
+use crate::steppers::combination::{Combination, Factors, Terms};
 use crate::types::{Full, StepError, StepReport};
 use crate::vectors::{Columns, lend, read};
 use crate::world::{Column, Plan, StateColumns, Storage, View};
@@ -110,15 +110,15 @@ impl<R: Real, M: Storage, S: Stages<R>> DenseOutput<S, R, M> {
     ) {
         let Some((last, before)) = known.split_last() else { return };
         let dt = dt.to_f64();
-        let position = weighted(weights, &MATRIX).map(|p| R::from_f64(dt * dt * p));
-        let velocity = weights.map(|q| R::from_f64(dt * q));
+        let position = Factors { scale: dt * dt, coefficients: &weighted(weights, &MATRIX) };
+        let velocity = Factors { scale: dt, coefficients: weights };
         let drift: f64 = weights.iter().sum();
         let combination = Combination {
-            terms: &Terms::new(R::from_f64(dt * drift), position, Some(velocity)),
+            terms: Terms { drift: R::from_f64(dt * drift), position, velocity: Some(velocity) },
             is_step: false,
             carries_velocity: is_told,
             lanes: view.system.lanes,
-            state: (view.current.carried_position(), view.current.carried_velocity()),
+            state: &(view.current.carried_position(), view.current.carried_velocity()),
             known: before,
             first: 0,
             to: to.lend(),

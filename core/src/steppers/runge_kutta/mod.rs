@@ -23,7 +23,7 @@ use crate::types::{Full, StepError, StepReport};
 use crate::vectors::{Columns, lend, read};
 use crate::world::{Column, Coverage, Plan, StateColumns, Storage, View};
 
-use super::combination::{Combination, Terms};
+use super::combination::{Combination, Factors, Terms};
 use tableau::Tableau;
 
 /// An explicit Runge-Kutta method with the coefficients of `T`.
@@ -55,18 +55,18 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
     }
 
     /// What makes the state of a stage out of the accelerations of those before it, or the step out of all.
-    fn terms(dt: R, stage: usize, with_velocity: bool) -> Terms<R, STAGES> {
+    fn terms(dt: R, stage: usize, with_velocity: bool) -> Terms<'static, R, STAGES> {
         let dt = dt.to_f64();
-        let scaled = |scale: f64, row: Option<&[f64; STAGES]>| {
-            row.map_or([R::ZERO; STAGES], |row| row.map(|coefficient| R::from_f64(scale * coefficient)))
-        };
-        if stage == STAGES {
-            let position = scaled(dt * dt, Some(&T::POSITION_WEIGHTS));
-            return Terms::new(R::from_f64(dt), position, Some(scaled(dt, Some(&T::VELOCITY_WEIGHTS))));
+        let position = |coefficients| Factors { scale: dt * dt, coefficients };
+        let velocity = |coefficients| Factors { scale: dt, coefficients };
+        let (nodes, rows) = const { (&T::NODES, &T::POSITION) };
+        if let (Some(node), Some(row)) = (nodes.get(stage), rows.get(stage)) {
+            let rows = const { &T::VELOCITY }.as_ref().filter(|_| with_velocity);
+            let velocity = rows.and_then(|rows| rows.get(stage)).map(velocity);
+            return Terms { drift: R::from_f64(dt * node), position: position(row), velocity };
         }
-        let node = T::NODES.get(stage).copied().unwrap_or_default();
-        let velocity = T::VELOCITY.filter(|_| with_velocity).map(|rows| scaled(dt, rows.get(stage)));
-        Terms::new(R::from_f64(dt * node), scaled(dt * dt, T::POSITION.get(stage)), velocity)
+        let velocity = Some(velocity(const { &T::VELOCITY_WEIGHTS }));
+        Terms { drift: R::from_f64(dt), position: position(const { &T::POSITION_WEIGHTS }), velocity }
     }
 
     /// Whether the first acceleration is that of the current state already.
@@ -100,22 +100,23 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
                 _ if with_velocity && T::VELOCITY.is_some() => (from.carried_position(), read(&from.velocity)),
                 _ => (from.carried_position(), state.1.value),
             };
-            let terms = Self::terms(dt, stage + 1, with_velocity);
-            let combination = Combination {
-                terms: &terms,
+            let to = to.lend();
+            // Made where it is wanted: moved, it would have to be read while it is still being written.
+            let combination = || Combination {
+                terms: Self::terms(dt, stage + 1, with_velocity),
                 is_step: stage + 1 == STAGES,
                 carries_velocity: stage + 1 == STAGES,
                 lanes: system.lanes,
-                state,
+                state: &state,
                 known: known.get(..stage).unwrap_or_default(),
                 first: 0,
-                to: to.lend(),
+                to,
             };
             let is_kept = stage == 0 && is_kept;
             let finite = if is_kept {
-                combination.of_known(system.plan.particles, read(fresh))
+                combination().of_known(system.plan.particles, read(fresh))
             } else {
-                system.accelerations_then(at, speed, lend(fresh), report, combination)
+                system.accelerations_then(at, speed, lend(fresh), report, combination())
             };
             if stage + 1 == STAGES {
                 view.is_next_finite = finite;
