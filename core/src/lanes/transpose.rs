@@ -14,6 +14,11 @@ pub type Turned<R> = [[R; 8]; 6];
 
 /// One of the sets of instructions, as a kernel's body gets to know which one it is being compiled for.
 pub trait Set: Copy {
+    /// Bytes of each of six columns that fit its registers at once, beside what is added to them; where there are no
+    /// vectors, one item at a time does: long stretches of unrolled code would only take flash.
+    const BYTES_OF_SIX: usize =
+        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")) { 32 } else { 0 };
+
     /// Turns rows into columns.
     #[inline(always)]
     fn turn<R: Real>(self, rows: &Rows<R>) -> Turned<R> {

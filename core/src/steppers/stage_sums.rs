@@ -8,9 +8,6 @@ use crate::Real;
 use crate::lanes::{Kernel, Set};
 use crate::vectors::{Columns, window};
 
-/// Elsewhere particles are summed one by one: long stretches of unrolled code would only take flash.
-const HAS_VECTORS: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"));
-
 /// The sums of the particles of a tile.
 pub struct Sums<'a, 'b, R: Real, const STAGES: usize> {
     pub combination: &'a mut Combination<'b, R, STAGES>,
@@ -30,19 +27,24 @@ impl<R: Real, const STAGES: usize> Kernel for Sums<'_, '_, R, STAGES> {
     type Output = Option<bool>;
 
     #[inline(always)]
-    fn run(self, _set: impl Set) -> Option<bool> {
-        if self.combination.terms.velocity.is_some() { self.in_blocks::<true>() } else { self.in_blocks::<false>() }
+    fn run(self, set: impl Set) -> Option<bool> {
+        if self.combination.terms.velocity.is_some() {
+            self.in_blocks::<true>(set)
+        } else {
+            self.in_blocks::<false>(set)
+        }
     }
 }
 
 impl<R: Real, const STAGES: usize> Sums<'_, '_, R, STAGES> {
-    /// By the widest vector along each axis.
+    /// As many particles at once as registers hold.
     #[inline(always)]
-    fn in_blocks<const VELOCITY: bool>(self) -> Option<bool> {
-        match size_of::<R>() {
-            _ if !HAS_VECTORS => self.sum::<1, VELOCITY>(),
-            4 => self.sum::<16, VELOCITY>(),
-            _ => self.sum::<8, VELOCITY>(),
+    fn in_blocks<const VELOCITY: bool>(self, set: impl Set) -> Option<bool> {
+        match bytes_of_six(set) / size_of::<R>() {
+            16 => self.sum::<16, VELOCITY>(),
+            8 => self.sum::<8, VELOCITY>(),
+            4 => self.sum::<4, VELOCITY>(),
+            _ => self.sum::<1, VELOCITY>(),
         }
     }
 
@@ -128,6 +130,11 @@ impl<R: Real, const STAGES: usize> Sums<'_, '_, R, STAGES> {
         }
         Some(finite)
     }
+}
+
+#[inline(always)]
+fn bytes_of_six<S: Set>(_set: S) -> usize {
+    S::BYTES_OF_SIX
 }
 
 /// x + h v, or what that adds to x where it is added later.

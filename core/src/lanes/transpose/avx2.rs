@@ -23,6 +23,8 @@ impl Avx {
 }
 
 impl Set for Avx {
+    const BYTES_OF_SIX: usize = 64;
+
     turn_by!(single_by_eights, double_by_fours);
 }
 
