@@ -4,19 +4,16 @@
 /// rope is that snaps taut, is several times what stays wrong, and an error that has been made cannot be made good: with a
 /// low order only a run that begins anew could, in much shorter steps.
 pub(super) fn aim(order: u32) -> f64 {
-    if order < 4 { 0.2 } else { 0.5 }
+    if order < 4 { 0.2 } else { 0.35 }
 }
 
 /// However much of it is used up already, the next steps may use this part.
 const LEAST: f64 = 0.1;
-/// Steps of a method of this order stay as they are while they are between these parts of what they could be: the methods of
-/// low order keep energy by steps of one length.
-fn steady(order: f64) -> (f64, f64) {
-    if order < 6.0 { (0.7, 1.1) } else { (0.9, 1.05) }
-}
-
+/// Steps stay as they are while they are between these parts of what they could be: the methods that keep energy do so for
+/// steps of one length.
+const STEADY: (f64, f64) = (0.7, 1.1);
 /// They change by so much at most, and so much at least, at a time.
-const CHANGE: (f64, f64) = (0.7, 1.25);
+const CHANGE: (f64, f64) = (0.7, 1.15);
 /// What is left of the error asked for where a run goes back to shorten its steps, and by how much it shortens them.
 const AFTER_GOING_BACK: f64 = 0.35;
 const SHORTENED: (f64, f64) = (0.25, 0.7);
@@ -75,9 +72,8 @@ impl Pace {
         let rate = left / (self.duration - time).max(f64::MIN_POSITIVE);
         let possible = self.unit * (rate * self.worked / error).powf(1.0 / self.order);
         let part = self.time_step / possible.min(self.longest);
-        let (least, most) = steady(self.order);
-        if !(least..=most).contains(&part) {
-            self.time_step = (self.time_step * (0.95 / part).clamp(CHANGE.0, CHANGE.1)).min(self.longest);
+        if !(STEADY.0..=STEADY.1).contains(&part) {
+            self.time_step = (self.time_step * (0.9 / part).clamp(CHANGE.0, CHANGE.1)).min(self.longest);
         }
     }
 

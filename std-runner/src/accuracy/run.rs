@@ -21,7 +21,7 @@ use crate::scene::{MaxError, Precision, Settings};
 use crate::simulate::{Anchor, Ending, MOST, Options, RunError, Schedule, Start, Stepped, Summary, Threads, Tracks};
 
 /// So often a run begins anew before it is carried to the end as it is.
-const MOST_RESTARTS: u32 = 2;
+const MOST_RESTARTS: u32 = 3;
 /// Of what was asked for, where a run begins anew.
 const AIM: f64 = 0.2;
 /// Its steps become this much shorter then.

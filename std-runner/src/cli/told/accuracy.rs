@@ -43,7 +43,7 @@ fn found(attained: &Attained) -> String {
             told
         })
         .into_iter()
-        .map(|(stepper, ratio)| format!("{stepper} would take about {} as long", times(ratio)))
+        .map(|(stepper, ratio)| format!("{stepper} might take {} as long", times(ratio)))
         .collect();
     if attained.prefix == 0.0 {
         return format!("{stepper} in {precision}: no spring pulls, so flight is exact and only rounding is left");
