@@ -38,7 +38,11 @@ fn an_error_is_asked_for_and_told() {
     let folder = Folder::with(ROPE);
     let asked = ["run", "scene.toml", "--max-error", "1e-5", "--out", "run.csv"];
     let told = folder.hooke(&asked).exits(0);
-    told.tells(&["error", "10 µm was asked for", "found", "the whole duration"]);
+    told.tells(&["error", "10 µm was asked for", "dop853 in f", "without pilot runs", "the whole duration"]);
+    // A stiff spring takes more steps.
+    let stiff = ROPE.replace("particles = 5", "particles = 2").replace("stiffness = 100.0", "stiffness = 1e4");
+    let long = Folder::with(&stiff).hooke(&["run", "scene.toml", "--max-error", "1e-4", "--duration", "1"]).exits(0);
+    long.tells(&["by pilot runs of", "might take"]);
     let rows = fs::read_to_string(folder.file("run.csv")).unwrap();
     // Seven frames of five particles, and the header.
     assert_eq!(rows.lines().count(), 36, "{rows}");

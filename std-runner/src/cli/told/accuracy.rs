@@ -45,8 +45,11 @@ fn found(attained: &Attained) -> String {
         .into_iter()
         .map(|(stepper, ratio)| format!("{stepper} might take {} as long", times(ratio)))
         .collect();
-    if attained.prefix == 0.0 {
+    if attained.choice.ratio == Ratio::One {
         return format!("{stepper} in {precision}: no spring pulls, so flight is exact and only rounding is left");
+    }
+    if attained.prefix == 0.0 {
+        return format!("{stepper} in {precision}, without pilot runs: so few of its steps are over as soon");
     }
     let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
     format!("{stepper} in {precision}, by pilot runs of {}{others}", seconds(attained.prefix))
