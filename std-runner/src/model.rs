@@ -69,6 +69,15 @@ pub struct Model {
 }
 
 impl Model {
+    /// The least and the largest coordinate of any particle along each axis, m.
+    #[must_use]
+    pub fn extents(&self) -> [(f64, f64); 3] {
+        [0, 1, 2].map(|axis| {
+            let along = || self.particles.iter().map(|particle| particle.position[axis]);
+            (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max))
+        })
+    }
+
     /// How many springs have damping.
     #[must_use]
     pub fn damped_springs(&self) -> usize {

@@ -8,7 +8,6 @@ use super::choice::Ratio;
 use super::estimate::Estimate;
 use super::pace::Pace;
 use super::pair::{Pair, SavedPair};
-use super::side::wide;
 use crate::record::Stopped;
 use crate::scene::StepperName;
 use crate::simulate::{Options, Stepped, Summary, largest_stable_step};
@@ -140,7 +139,7 @@ impl<R: Stepped, Q: Stepped> Attempt<'_, '_, R, Q> {
 
     fn first_frame(&mut self) {
         let Pair { main, frames, .. } = &mut self.pair;
-        frames.hold(main.world.view().states().map(|(x, v)| (wide::<R>(x), wide::<R>(v))));
+        main.show(frames);
     }
 
     /// From here on nothing before is taken back.

@@ -4,8 +4,8 @@ use std::io;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-use crate::record::{Background, BoxedRecorder, Element, RecordError, Sample, Stopped};
-use crate::simulate::{Anchor, Schedule};
+use crate::record::{Background, BoxedRecorder, Element, Sample, Stopped};
+use crate::simulate::{Anchor, Schedule, Taken};
 
 /// Frames that are held take this many bytes at most.
 const MOST_BYTES: u64 = 256 << 20;
@@ -33,18 +33,6 @@ struct Held<S> {
     velocity: Vec<[S; 3]>,
 }
 
-/// What became of them.
-pub(super) struct Taken {
-    /// Those that every recording has.
-    pub(super) frames: u64,
-    /// Time that stepping waited for them.
-    pub(super) waiting: Duration,
-    /// Time that recorders took.
-    pub(super) recording: Duration,
-    /// Whether they could be written.
-    pub(super) result: Result<(), RecordError>,
-}
-
 impl<S: Sample> Frames<S> {
     pub(super) fn new(
         schedule: Schedule,
@@ -52,7 +40,7 @@ impl<S: Sample> Frames<S> {
         recorders: Vec<BoxedRecorder<S>>,
         particles: usize,
     ) -> io::Result<Self> {
-        let background = (!recorders.is_empty()).then(|| Background::start(recorders, particles)).transpose()?;
+        let background = Background::start_any(recorders, particles)?;
         Ok(Self { schedule, anchor, background, next: 0, held: Vec::new(), waiting: Duration::ZERO })
     }
 
@@ -127,12 +115,6 @@ impl<S: Sample> Frames<S> {
 
     /// Waits for the last ones to be written.
     pub(super) fn finish(self) -> Taken {
-        let Some(background) = self.background else {
-            return Taken { frames: self.next, waiting: self.waiting, recording: Duration::ZERO, result: Ok(()) };
-        };
-        let began = Instant::now();
-        let recorded = background.finish();
-        let waiting = self.waiting + began.elapsed();
-        Taken { frames: recorded.frames, waiting, recording: recorded.took, result: recorded.result }
+        Taken::of(self.background, self.next, self.waiting)
     }
 }

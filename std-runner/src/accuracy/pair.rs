@@ -5,7 +5,7 @@ use hooke::{StepError, StepReport};
 use super::choice::Ratio;
 use super::frames::Frames;
 use super::quintic::{Knot, quintic};
-use super::side::{Saved, Side, wide};
+use super::side::{Saved, Side};
 use crate::simulate::Stepped;
 
 /// The run that counts, the one beside it, and the frames of the first.
@@ -123,12 +123,12 @@ impl<R: Stepped, Q: Stepped> Pair<'_, R, Q> {
             let mut branch = self.main.branch();
             for time in times {
                 branch.step(time, &mut |_| ())?;
-                self.frames.hold(branch.world.view().states().map(|(x, v)| (wide::<R>(x), wide::<R>(v))));
+                branch.show(&mut self.frames);
             }
             self.main.step(to, count)?;
         }
         if at_end {
-            self.frames.hold(self.main.world.view().states().map(|(x, v)| (wide::<R>(x), wide::<R>(v))));
+            self.main.show(&mut self.frames);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use hooke::{Compensated, Workers};
+use hooke::Compensated;
 
 use super::attained::Attained;
 use super::attempt::{Attempt, Ended};
@@ -213,16 +213,8 @@ impl Course<'_> {
         let Attempt { pair, errors, held_until, time_steps, returns, cost, .. } = attempt;
         let Pair { mut main, frames, .. } = pair;
         let taken = frames.finish();
-        taken.result.map_err(|error| RunError::Record { error, frames: taken.frames })?;
-        summary.threads = threads.as_ref().map_or(1, Workers::count);
-        summary.frames = taken.frames;
-        summary.waiting = taken.waiting;
-        summary.recording = taken.recording;
-        summary.stepping = began.elapsed().saturating_sub(taken.waiting);
-        let view = main.world.view();
-        summary.time = view.time();
-        summary.islands_asleep = view.plan().islands_asleep;
-        summary.balance = main.walk.audit.map(|audit| audit.balance(&view));
+        let audit = main.walk.audit.as_ref();
+        summary.close(taken, began.elapsed(), threads.as_ref(), &main.world.view(), audit)?;
         let estimate = errors.last().map_or(0.0, |(_, error)| *error);
         Ok(Made { ended, summary, estimate, held_until, time_steps, returns, cost })
     }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use hooke::{Real, StepError, StepReport};
 
+use super::frames::Frames;
 use super::quintic::Knot;
 use crate::model::Model;
 use crate::scene::Settings;
@@ -89,6 +90,11 @@ impl<'a, R: Stepped> Side<'a, R> {
         for (knot, acceleration) in into.iter_mut().zip(view.accelerations()) {
             knot.acceleration = wide::<R>(acceleration);
         }
+    }
+
+    /// A frame of it as it is.
+    pub(super) fn show(&mut self, frames: &mut Frames<R::Coordinate>) {
+        frames.hold(self.world.view().states().map(|(x, v)| (wide::<R>(x), wide::<R>(v))));
     }
 
     /// Where all particles are (m), in the order of their numbers.

@@ -132,11 +132,7 @@ pub(super) fn fine_tolerance(subject: &Subject<'_>) -> Option<Advice> {
 
 /// The longest edge of the box around all particles, m.
 fn widest(model: &Model) -> f64 {
-    let along = |axis: usize| {
-        let places = model.particles.iter().map(|particle| particle.position.get(axis).copied().unwrap_or_default());
-        places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(along).fold(0.0, f64::max)
+    model.extents().into_iter().map(|(least, most)| most - least).fold(0.0, f64::max)
 }
 
 /// Whether a time step (s) is no positive number any more in the precision of the run: no step can be taken.

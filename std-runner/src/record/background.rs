@@ -60,6 +60,14 @@ impl<R: Sample> Background<R> {
         Ok(Self { frames, thread })
     }
 
+    /// The same, if there are recorders at all.
+    ///
+    /// # Errors
+    /// As [`Background::start`].
+    pub fn start_any(recorders: Vec<BoxedRecorder<R>>, particles: usize) -> io::Result<Option<Self>> {
+        (!recorders.is_empty()).then(|| Self::start(recorders, particles)).transpose()
+    }
+
     /// Hands over a frame: `fill` is to push all its positions (m) and velocities (m/s) to the two empty lists.
     /// Waits while as many frames as are held are on their way.
     ///

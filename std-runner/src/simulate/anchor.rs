@@ -17,12 +17,7 @@ impl Anchor {
     /// Of a model, by where its particles start.
     #[must_use]
     pub fn of(model: &Model) -> Self {
-        let places = |axis: usize| model.particles.iter().filter_map(move |particle| particle.position.get(axis));
-        let edges = [0, 1, 2].map(|axis| {
-            let least = places(axis).fold(f64::INFINITY, |least, place| least.min(*place));
-            let most = places(axis).fold(f64::NEG_INFINITY, |most, place| most.max(*place));
-            (least, most)
-        });
+        let edges = model.extents();
         let width = edges.iter().fold(0.0_f64, |width, (least, most)| width.max(most - least));
         // Whole metres: they add up to what they were taken from.
         let middle = edges.map(|(least, most)| (0.5 * (least + most)).round());

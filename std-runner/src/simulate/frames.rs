@@ -12,7 +12,8 @@ use super::build::HeapWorld;
 use super::interpolate::{Moment, hermite};
 use super::method::AnyStepper;
 use super::schedule::Schedule;
-use crate::record::{Background, BoxedRecorder, RecordError, Sample, Stopped};
+use super::taken::Taken;
+use crate::record::{Background, BoxedRecorder, Sample, Stopped};
 
 /// Takes frames.
 pub(super) struct Frames<R: Stepped> {
@@ -39,18 +40,6 @@ struct Within {
     flights: Range<usize>,
 }
 
-/// What became of the frames.
-pub(super) struct Taken {
-    /// Those that were made, and that every recording has.
-    pub(super) frames: u64,
-    /// Time that stepping waited for them.
-    pub(super) waiting: Duration,
-    /// Time that recorders took.
-    pub(super) recording: Duration,
-    /// Whether they could be written.
-    pub(super) result: Result<(), RecordError>,
-}
-
 impl<R: Stepped> Frames<R> {
     /// Starts a thread for the recorders, if there are any.
     pub(super) fn new(
@@ -59,7 +48,7 @@ impl<R: Stepped> Frames<R> {
         recorders: Vec<BoxedRecorder<R::Coordinate>>,
         particles: usize,
     ) -> io::Result<Self> {
-        let background = (!recorders.is_empty()).then(|| Background::start(recorders, particles)).transpose()?;
+        let background = Background::start_any(recorders, particles)?;
         Ok(Self {
             schedule,
             anchor,
@@ -166,13 +155,7 @@ impl<R: Stepped> Frames<R> {
 
     /// Waits for the last frames to be written.
     pub(super) fn finish(self) -> Taken {
-        let Some(background) = self.background else {
-            return Taken { frames: self.next, waiting: self.waiting, recording: Duration::ZERO, result: Ok(()) };
-        };
-        let began = Instant::now();
-        let recorded = background.finish();
-        let waiting = self.waiting + began.elapsed();
-        Taken { frames: recorded.frames, waiting, recording: recorded.took, result: recorded.result }
+        Taken::of(self.background, self.next, self.waiting)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use hooke::{Balance, LinearSolver, Plan, Real, StabilityBound, StepError, StepReport, Workers};
+use hooke::{Balance, LinearSolver, Plan, Real, StabilityBound, StepError, StepReport};
 
 use super::Stepped;
 use super::anchor::Anchor;
@@ -147,16 +147,7 @@ pub fn run<R: Stepped>(
         None => run.steps(&mut world, &tracks, options),
     };
     let taken = run.frames.finish();
-    taken.result.map_err(|error| RunError::Record { error, frames: taken.frames })?;
-    run.summary.threads = threads.as_ref().map_or(1, Workers::count);
-    run.summary.frames = taken.frames;
-    run.summary.waiting = taken.waiting;
-    run.summary.recording = taken.recording;
-    run.summary.stepping = began.elapsed().saturating_sub(taken.waiting);
-    let view = world.view();
-    run.summary.time = view.time();
-    run.summary.islands_asleep = view.plan().islands_asleep;
-    run.summary.balance = run.walk.audit.map(|audit| audit.balance(&view));
+    run.summary.close(taken, began.elapsed(), threads.as_ref(), &world.view(), run.walk.audit.as_ref())?;
     Ok(run.summary)
 }
 

@@ -2,10 +2,13 @@
 
 use std::time::Duration;
 
-use hooke::{Balance, Choice, LinearSolver, Plan, StabilityBound, StepError, StepReport};
+use hooke::{Balance, Choice, LinearSolver, Plan, Real, StabilityBound, StepError, StepReport, View, Workers};
 
-use super::run::Start;
+use super::audit::Audit;
+use super::run::{RunError, Start};
 use super::schedule::Schedule;
+use super::taken::Taken;
+use super::threads::Threads;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,6 +135,30 @@ impl Summary {
         self.factorisations += u64::from(report.factorisations);
         self.unconverged += u64::from(!report.converged);
         self.residual = self.residual.max(report.residual);
+    }
+
+    /// After the last step, which left the world as `view` shows it; `took` is all the time since the first.
+    ///
+    /// # Errors
+    /// If a frame could not be written.
+    pub(crate) fn close<R: Real>(
+        &mut self,
+        taken: Taken,
+        took: Duration,
+        threads: Option<&Threads>,
+        view: &View<'_, R>,
+        audit: Option<&Audit>,
+    ) -> Result<(), RunError> {
+        taken.result.map_err(|error| RunError::Record { error, frames: taken.frames })?;
+        self.threads = threads.map_or(1, Workers::count);
+        self.frames = taken.frames;
+        self.waiting = taken.waiting;
+        self.recording = taken.recording;
+        self.stepping = took.saturating_sub(taken.waiting);
+        self.time = view.time();
+        self.islands_asleep = view.plan().islands_asleep;
+        self.balance = audit.map(|audit| audit.balance(view));
+        Ok(())
     }
 
     /// Whether the run is what was asked for.

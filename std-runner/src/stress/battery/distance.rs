@@ -11,12 +11,8 @@ pub fn farthest(left: &[[f64; 3]], right: &[[f64; 3]]) -> f64 {
 /// The largest extent of a model along an axis, or the largest rest length of its springs, m; where both are 0, the farthest
 /// coordinate, or 1.
 pub fn size(model: &Model) -> f64 {
-    let extent = |axis: usize| {
-        let along = || model.particles.iter().map(|particle| particle.position[axis]);
-        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
-    };
     let springs = model.springs.iter().fold(0.0_f64, |longest, spring| longest.max(spring.rest_length));
-    let extent = [0, 1, 2].map(extent).into_iter().fold(springs, f64::max);
+    let extent = model.extents().into_iter().map(|(least, most)| most - least).fold(springs, f64::max);
     let far = || model.particles.iter().flat_map(|particle| particle.position).fold(0.0_f64, |far, x| far.max(x.abs()));
     [extent, far()].into_iter().find(|size| *size > 0.0 && size.is_finite()).unwrap_or(1.0)
 }
