@@ -4,12 +4,12 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
-use hooke_runner::accuracy::{Attained, Begin, run, step_cost};
+use hooke_runner::accuracy::{Aim, Aimed, Attained, Begin, aim, run, step_cost};
 use hooke_runner::bench::{MOMENTS, Probed, Reference, State, position_error, probe, steps_of};
 use hooke_runner::model::Model;
 use hooke_runner::record::{BoxedRecorder, Frame, RecordError, Recorder, Sample};
-use hooke_runner::scene::{CollisionForm, MaxError, Precision, Scene, Settings, StepperName};
-use hooke_runner::simulate::{Options, Start, Summary, largest_stable_step};
+use hooke_runner::scene::{CollisionForm, MaxError, Precision, Scene, Settings, StepperName, TimeStep};
+use hooke_runner::simulate::{Options, Start, Summary, largest_stable_step, run as simulate};
 
 use crate::scene_runs::Silent;
 
@@ -112,6 +112,39 @@ impl Known {
         assert_eq!(states.len() as u64, MOMENTS, "{}: a frame at every moment", self.name);
         let error = position_error(&states[..held], &self.reference.states[..held]);
         Kept { error, attained: within.attained, summary: within.summary }
+    }
+
+    /// Runs it with its stepper and its time step left open: what was found for it, and the largest distance from the reference
+    /// at any moment, m, as far as it is known to a thousandth of the scene's size.
+    ///
+    /// # Panics
+    /// If it cannot be run, or leaves nothing open.
+    #[must_use]
+    pub fn aimed(&self) -> (Aimed, f64) {
+        let open = Settings { stepper: StepperName::Auto, time_step: TimeStep::Auto, ..self.settings.clone() };
+        let settings = Settings { precision: Precision::F64, max_error: None, ..open };
+        let interrupted = AtomicBool::new(false);
+        let Aim::Found(aimed) = aim(&self.model, &settings, &interrupted).expect("a run") else {
+            panic!("{}: nothing was found", self.name)
+        };
+        let error = self.ran(&aimed.settings, aimed.error);
+        (aimed, error)
+    }
+
+    /// The largest distance from the reference (m) at any moment of a run with these settings, as far as `error` is known.
+    ///
+    /// # Panics
+    /// If it cannot be run.
+    #[must_use]
+    pub fn ran(&self, settings: &Settings, error: f64) -> f64 {
+        let states = Keep::default();
+        let interrupted = AtomicBool::new(false);
+        let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+        let begin = |start: &Start| states.begin::<f64>(start, settings);
+        simulate::<f64>(&self.model, settings, begin, &options).expect("a run");
+        let states = std::mem::take(&mut *states.0.lock().expect("nobody panics with it"));
+        let judged = self.judged(error);
+        position_error(&states[..judged], &self.reference.states[..judged])
     }
 
     /// The cheapest fixed stepper, precision and time step whose error is no more than each of `errors` (m), if there is

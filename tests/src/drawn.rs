@@ -73,10 +73,10 @@ pub fn drawn(number: u64) -> (String, Model, Settings) {
         line("normal", format!("[{:?}, 0.0, 1.0]", random.between(-0.3, 0.3)));
         line("restitution", format!("{:?}", random.between(0.2, 0.9)));
     }
-    let path = std::env::temp_dir().join(format!("hooke-drawn-{}-{number}.toml", std::process::id()));
-    std::fs::write(&path, &text).expect("a file for a moment");
+    let folder = tempfile::tempdir().expect("a folder for a moment");
+    let path = folder.path().join("drawn.toml");
+    std::fs::write(&path, &text).expect("there is room");
     let scene = Scene::load(&path).expect("a sound scene");
-    std::fs::remove_file(&path).expect("the file that was just written");
     let model = scene.model().expect("a scene that fits");
     (format!("{number}, {name}"), model, scene.settings().clone())
 }

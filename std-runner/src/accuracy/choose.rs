@@ -6,29 +6,15 @@ use super::choice::{Choice, Ratio};
 use super::cost::step_cost;
 use super::estimate::Estimate;
 use super::pace::aim;
-use super::pilot::{Flown, Pilots, UNLIMITED, highest};
-use crate::bench::position_error;
+use super::pilot::{FLIGHT_ROUNDING, Pilots, UNLIMITED, highest};
+use super::shown::{Seen, Shown, show};
 use crate::model::Model;
 use crate::scene::{CollisionForm, MaxError, Precision, Settings, StepperName};
 use crate::simulate::{RunError, Start};
 
-/// The steps of what pilots are compared with, as a part of the longest stable ones.
-const REFERENCE: f64 = 0.7;
-/// A run of no more of its longest steps is over before pilots are: the method of highest order is taken, as if its error in
-/// such steps came to this part of the size of the scene.
-const SHORT_RUN: (f64, f64) = (100.0, 0.1);
-/// Errors grow in proportion to time, and by this much more, where motion stays what it is.
-const GROWTH: f64 = 1.5;
-/// It seldom does: scenes begin at rest. The first steps are for errors that grow by this power of the time more, and who is
-/// chosen is so if they grow by that one: methods of low order would have to shorten their steps the most.
-const DOUBT: (i32, i32) = (1, 2);
 /// Rounding may be this part of what was asked for; and this part of what may lie between two runs, where only the coarser
 /// one rounds: to begin anew as rounding has grown costs far more than the other precision does.
 const ROUNDING: (f64, f64) = (0.3, 0.02);
-/// Implicit methods are worth a look where explicit ones take more steps.
-const MANY_STEPS: f64 = 1e5;
-/// What `f32` loses of the size of a scene that bounces around for a while.
-const FLIGHT_ROUNDING: f64 = 1e-5;
 
 /// What was found.
 pub(super) struct Chosen {
@@ -95,70 +81,17 @@ struct Chooser<'a> {
     choices: Vec<Choice>,
 }
 
-/// What is known of a stepper.
-struct Shown {
-    stepper: StepperName,
-    /// s
-    time_step: f64,
-    /// What its error in such steps becomes by the end, if motion stays what it is, m.
-    error: f64,
-    /// What the rounding of `f32` becomes, m.
-    rounding: f64,
-    /// How many times longer than what was seen the run is.
-    longer: f64,
-}
-
 impl Chooser<'_> {
     fn choose(mut self) -> Result<Option<Chosen>, RunError> {
         let best = highest(self.pilots.model);
-        let steps = self.pilots.duration / self.pilots.limit(best);
-        if self.asked.stepper.is_none() && steps < SHORT_RUN.0 {
-            let (time_step, error) = (self.pilots.limit(best), SHORT_RUN.1 * self.size);
-            let rounding = FLIGHT_ROUNDING * self.size;
-            self.consider(&Shown { stepper: best, time_step, error, rounding, longer: 1.0 });
-            self.pilots.settings.duration = 0.0;
-            return Ok(Some(self.chosen(best)));
-        }
-        let step = REFERENCE * self.pilots.limit(best);
-        let reference = match self.pilots.fly(best, Precision::F64, step)? {
-            Flown::Finished(states, _) => states,
+        match show(&mut self.pilots, self.asked.stepper, self.size)? {
+            Seen::Steppers(shown) => shown.iter().for_each(|shown| self.consider(shown)),
             // Whatever is chosen will diverge as well, and say where.
-            Flown::Diverged => return Ok(Some(self.chosen(best))),
-            Flown::Interrupted => return Ok(None),
-        };
-        let longer = self.pilots.longer();
-        let rounding = match self.pilots.fly(best, Precision::F32, step)? {
-            Flown::Finished(states, _) => GROWTH * longer * position_error(&reference, &states),
-            Flown::Diverged => f64::INFINITY,
-            Flown::Interrupted => return Ok(None),
-        };
-        for stepper in self.steppers(best, steps) {
-            match self.pilots.fly(stepper, Precision::F64, self.pilots.limit(stepper))? {
-                Flown::Finished(states, time_step) => {
-                    let error = position_error(&reference, &states).max(f64::EPSILON * self.size);
-                    self.consider(&Shown { stepper, time_step, error: GROWTH * longer * error, rounding, longer });
-                }
-                Flown::Diverged => {}
-                Flown::Interrupted => return Ok(None),
-            }
+            Seen::Diverged => {}
+            Seen::Interrupted => return Ok(None),
         }
         let stepper = self.asked.stepper.unwrap_or(best);
         Ok(Some(self.chosen(stepper)))
-    }
-
-    /// Those that may be the cheapest, where the best of them takes so many steps.
-    fn steppers(&self, best: StepperName, steps: f64) -> Vec<StepperName> {
-        if let Some(stepper) = self.asked.stepper {
-            return vec![stepper];
-        }
-        let mut steppers = vec![StepperName::VelocityVerlet, best];
-        if self.pilots.model.damped_springs() == 0 {
-            steppers.push(StepperName::BlanesMoanS6);
-        }
-        if steps > MANY_STEPS {
-            steppers.push(StepperName::TrBdf2);
-        }
-        steppers
     }
 
     /// The cheapest; a cautious one of that stepper if there is none.
@@ -203,7 +136,7 @@ impl Chooser<'_> {
     }
 
     fn choice(&self, shown: &Shown, precision: Precision, companion: Precision, ratio: Ratio) -> Choice {
-        let &Shown { stepper, time_step, error, longer, .. } = shown;
+        let &Shown { stepper, time_step, .. } = shown;
         let Pilots { model, duration, .. } = &self.pilots;
         let (order, longest) = (self.pilots.order(stepper), self.pilots.limit(stepper) / ratio.value());
         let collision = self.pilots.settings.collision;
@@ -211,9 +144,9 @@ impl Chooser<'_> {
             Choice { stepper, precision, companion, ratio, collision, time_step, longest, order, cost: f64::INFINITY };
         let allowed = aim(order) * self.estimate(&choice).difference(self.asked.error);
         let apart = ratio.value().powi(order as i32) - 1.0;
-        let suffices = |error: f64| (time_step * (allowed / (apart * error)).powf(1.0 / f64::from(order))).min(longest);
-        choice.time_step = suffices(longer.powi(DOUBT.0) * error);
-        let steps = duration / suffices(longer.powi(DOUBT.1) * error);
+        let [first, likely] = shown.steps_for(allowed / apart, order).map(|step| step.min(longest));
+        choice.time_step = first;
+        let steps = duration / likely;
         let cost = |precision: Precision| step_cost(stepper, precision, model);
         choice.cost = steps * (cost(precision) + cost(companion) / ratio.value());
         choice

@@ -19,6 +19,8 @@ const STEPS: (f64, f64) = (4.0, 20_000.0);
 const CHECKPOINTS: u64 = 4;
 /// Where nothing limits steps they are this part of the duration.
 pub(super) const UNLIMITED: f64 = 1.0 / 16.0;
+/// What `f32` loses of the size of a scene that bounces around for a while.
+pub(super) const FLIGHT_ROUNDING: f64 = 1e-5;
 
 /// The method of highest order that can step a scene.
 pub(super) fn highest(model: &Model) -> StepperName {

@@ -8,6 +8,7 @@ use super::failure::Failure;
 use super::print;
 use super::scene::{Loaded, warning};
 use super::table::rows;
+use crate::accuracy::{aimed_at, leaves_open};
 use crate::advice::{Subject, advise, limit_in_words, needed, skipped};
 use crate::model::{Hold, Model};
 use crate::scene::{Settings, StepperName, TimeStep};
@@ -71,7 +72,7 @@ fn facts(loaded: &Loaded, start: &Start) -> Vec<[String; 2]> {
         row("memory", format!("about {}", bytes(scene.bytes_needed()))),
         row("method", format!("{}, {}, {}", settings.stepper, settings.precision, settings.collision)),
         row("sleep", sleep(settings, start)),
-        row("steps", steps(settings, start, model.size())),
+        row("steps", steps(settings, start, model)),
         row("frames", format!("{}, {} a second", count(start.schedule.frames()), settings.frame_rate)),
     ];
     rows.extend(start.linear_solver.map(|solver| row("linear solver", solver.to_string())));
@@ -86,7 +87,7 @@ fn sleep(settings: &Settings, start: &Start) -> String {
     format!("{islands}: what is slower than {speed:?} m/s for a second is left out until something moves it")
 }
 
-fn steps(settings: &Settings, start: &Start, size: f64) -> String {
+fn steps(settings: &Settings, start: &Start, model: &Model) -> String {
     let (number, duration) = (start.schedule.steps(), seconds(settings.duration));
     if let Some(asked) = settings.max_error {
         let free = if asked.stepper.is_some() { "" } else { "stepper, " };
@@ -96,9 +97,15 @@ fn steps(settings: &Settings, start: &Start, size: f64) -> String {
             metres(asked.error)
         );
     }
+    if leaves_open(settings) && start.plan.attached > 0 {
+        let error = metres(aimed_at(model));
+        return format!(
+            "stepper and time step are found by pilot runs that aim at errors of {error}, a thousandth of its size"
+        );
+    }
     if chooses_steps(settings) && start.plan.attached > 0 {
         let Settings { stepper, tolerance, .. } = settings;
-        let error = metres(tolerance * size);
+        let error = metres(tolerance * model.size());
         return format!("chosen by {stepper} to a tolerance of {tolerance:e}: errors of {error} in each at most");
     }
     let Some(time_step) = start.time_step else {

@@ -29,6 +29,26 @@ pub(super) fn counter(scene: &str) -> Option<ProgressBar> {
     })
 }
 
+/// A sign that something goes on, until it is dropped; nothing where nobody looks.
+pub(super) struct Waiting(Option<ProgressBar>);
+
+/// Says what is going on before there is a bar.
+pub(super) fn waiting(what: &'static str) -> Waiting {
+    Waiting(stderr().is_terminal().then(|| {
+        let sign = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr()).with_message(what);
+        sign.enable_steady_tick(TURN);
+        sign
+    }))
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        if let Some(sign) = &self.0 {
+            sign.finish_and_clear();
+        }
+    }
+}
+
 /// A bar with the time that is left, or nothing.
 pub(super) struct Bar {
     bar: Option<ProgressBar>,

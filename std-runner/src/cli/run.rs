@@ -2,6 +2,7 @@
 
 use std::io::{ErrorKind, IsTerminal, stderr, stdout};
 use std::num::NonZeroU32;
+use std::sync::atomic::AtomicBool;
 
 use hooke::Compensated;
 
@@ -12,60 +13,73 @@ use super::format::Recording;
 use super::interrupt;
 use super::outputs::Outputs;
 use super::print;
-use super::progress::Bar;
+use super::progress::{self, Bar};
 use super::scene::{Loaded, endless, out_of_range, warn};
-use super::told;
+use super::told::{self, Sought};
 use super::within;
+use crate::accuracy::{Aim, aim};
 use crate::advice::{Subject, advise};
+use crate::model::Model;
 use crate::record::Element;
 use crate::scene::{Precision, Settings};
-use crate::simulate::{Options, RunError, Start, Stepped, run as simulate};
+use crate::simulate::{Options, RunError, Start, Stepped, Summary, run as simulate};
 use crate::units::counted;
 
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
     let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
-    if let Some(asked) = loaded.scene.settings().max_error {
-        return within::run_within(&loaded, &asked, &outputs, arguments);
+    let (model, settings) = (&loaded.model, loaded.scene.settings());
+    let interrupted = interrupt::watch();
+    if let Some(asked) = settings.max_error {
+        return within::run_within(&loaded, &asked, &outputs, arguments, interrupted);
     }
-    match loaded.scene.settings().precision {
-        Precision::F32 => run_in::<f32>(&loaded, &outputs, arguments),
-        Precision::F32Compensated => run_in::<Compensated>(&loaded, &outputs, arguments),
-        Precision::F64 => run_in::<f64>(&loaded, &outputs, arguments),
+    let pilots = progress::waiting("pilot runs");
+    let aim = aim(model, settings, interrupted);
+    drop(pilots);
+    let aim = match aim {
+        Ok(Aim::Interrupted) => return Ok(Outcome::Interrupted),
+        Ok(aim) => aim,
+        Err(error) => return stopped(error, settings, &outputs),
+    };
+    // Rows that scroll past and a bar that stays do not go together.
+    let rows_on_terminal = outputs.to_standard_output() && stdout().is_terminal();
+    let progress = Bar::new(stderr().is_terminal() && !rows_on_terminal);
+    let settings = if let Aim::Found(aimed) = &aim { &aimed.settings } else { settings };
+    let options = options(arguments, interrupted, &progress);
+    let run = match settings.precision {
+        Precision::F32 => run_in::<f32>,
+        Precision::F32Compensated => run_in::<Compensated>,
+        Precision::F64 => run_in::<f64>,
+    };
+    let ran = run(model, settings, &outputs, &options);
+    progress.clear();
+    match ran {
+        Ok(summary) => {
+            let files = outputs.names();
+            print::message(&told::summary(settings, &summary, Sought::Aim(&aim), &files));
+            told::outcome(model, settings, &summary, !files.is_empty())
+        }
+        Err(error) => stopped(error, settings, &outputs),
     }
 }
 
-fn run_in<R: Stepped>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArguments) -> Result<Outcome, Failure> {
-    let (model, settings) = (&loaded.model, loaded.scene.settings());
+fn run_in<R: Stepped>(
+    model: &Model,
+    settings: &Settings,
+    outputs: &Outputs,
+    options: &Options<'_>,
+) -> Result<Summary, RunError> {
     let begin = |start: &Start| {
         let recording = Recording { model, settings, start };
         let recorded_bytes = outputs.bytes(recording, R::Coordinate::SIZE);
         warn(&advise(&Subject { model, settings, start, recorded_bytes }));
         outputs.open::<R::Coordinate>(recording)
     };
-    // Rows that scroll past and a bar that stays do not go together.
-    let rows_on_terminal = outputs.to_standard_output() && stdout().is_terminal();
-    let progress = Bar::new(stderr().is_terminal() && !rows_on_terminal);
-    let options = options(arguments, &progress);
-    let ran = simulate::<R>(model, settings, begin, &options);
-    progress.clear();
-    match ran {
-        Ok(summary) => {
-            let files = outputs.names();
-            print::message(&told::summary(settings, &summary, None, &files));
-            told::outcome(model, settings, &summary, !files.is_empty())
-        }
-        Err(error) => stopped(error, settings, outputs),
-    }
+    simulate::<R>(model, settings, begin, options)
 }
 
-pub(super) fn options<'a>(arguments: &RunArguments, progress: &'a Bar) -> Options<'a> {
-    Options {
-        ledger: !arguments.no_ledger,
-        threads: arguments.threads.map(NonZeroU32::get),
-        interrupted: interrupt::watch(),
-        progress,
-    }
+pub(super) fn options<'a>(arguments: &RunArguments, interrupted: &'a AtomicBool, progress: &'a Bar) -> Options<'a> {
+    Options { ledger: !arguments.no_ledger, threads: arguments.threads.map(NonZeroU32::get), interrupted, progress }
 }
 
 pub(super) fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Outcome, Failure> {

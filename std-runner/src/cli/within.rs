@@ -1,6 +1,7 @@
 //! `hooke run` where an accuracy is asked for.
 
 use std::io::{IsTerminal, stderr};
+use std::sync::atomic::AtomicBool;
 
 use super::Outcome;
 use super::arguments::RunArguments;
@@ -11,7 +12,7 @@ use super::print;
 use super::progress::Bar;
 use super::run::{options, stopped};
 use super::scene::{Loaded, warn};
-use super::told;
+use super::told::{self, Sought};
 use crate::accuracy::{Begin, Within, run};
 use crate::advice::{Subject, Topic, advise};
 use crate::model::Model;
@@ -24,6 +25,7 @@ pub(super) fn run_within(
     asked: &MaxError,
     outputs: &Outputs,
     arguments: &RunArguments,
+    interrupted: &AtomicBool,
 ) -> Result<Outcome, Failure> {
     if outputs.to_standard_output() {
         let message = "a run to an accuracy may have to begin anew, and what is on standard output stays there";
@@ -31,12 +33,12 @@ pub(super) fn run_within(
     }
     let (model, settings) = (&loaded.model, loaded.scene.settings());
     let progress = Bar::new(stderr().is_terminal());
-    let ran = run(model, settings, asked, &Files { model, outputs }, &options(arguments, &progress));
+    let ran = run(model, settings, asked, &Files { model, outputs }, &options(arguments, interrupted, &progress));
     progress.clear();
     match ran {
         Ok(Some(Within { settings, summary, attained })) => {
             let files = outputs.names();
-            print::message(&told::summary(&settings, &summary, Some(&attained), &files));
+            print::message(&told::summary(&settings, &summary, Sought::Accuracy(&attained), &files));
             let outcome = told::outcome(model, &settings, &summary, !files.is_empty())?;
             told::held(&settings, &attained, outcome)
         }

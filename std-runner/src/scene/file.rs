@@ -29,7 +29,8 @@ pub(super) struct SceneFile {
     /// How long to simulate, s, more than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub(super) duration: f64,
-    /// The length of a step, s, more than 0, or "auto": "dop853" and "dormand-prince-rkn8" then choose their steps themselves.
+    /// The length of a step, s, more than 0, or "auto": "dop853" and "dormand-prince-rkn8" then choose their steps themselves,
+    /// and where the stepper is "auto" too, both are found for errors below a thousandth of the scene's size.
     pub(super) time_step: TimeStep,
     /// Frames per second of simulated time, more than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]

@@ -12,7 +12,7 @@ pub struct Overrides {
     /// How long to simulate, s.
     #[arg(long, value_name = "SECONDS", value_parser = number, allow_negative_numbers = true)]
     pub duration: Option<f64>,
-    /// The length of a step, s, or auto: dop853 and dormand-prince-rkn8 then choose their steps themselves.
+    /// The length of a step, s, or auto: dop853 and dormand-prince-rkn8 then choose their steps themselves, and where the stepper is auto too, both are found for errors below a thousandth of the scene's size.
     #[arg(long, value_name = "SECONDS|auto", allow_negative_numbers = true)]
     pub time_step: Option<TimeStep>,
     /// Frames per second of simulated time.

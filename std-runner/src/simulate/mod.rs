@@ -32,6 +32,7 @@ pub use schedule::{MOST, Schedule};
 pub use summary::{Ending, Summary};
 pub(crate) use taken::Taken;
 pub use threads::Threads;
+pub(crate) use time_step::{LONGEST, PART_OF_BOUND, two_digits_below};
 pub use time_step::{choose_time_step, chooses_steps, largest_stable_step};
 pub(crate) use tracks::Tracks;
 pub(crate) use walk::Walk;

@@ -6,13 +6,13 @@ use crate::scene::{CollisionForm, Settings, StepperName, TimeStep};
 
 /// The part of the largest stable time step that is taken: at the bound itself the stiffest motion is stable but
 /// wrong, and springs that stretch and turn on the way may lower it.
-const PART_OF_BOUND: f64 = 0.25;
+pub(crate) const PART_OF_BOUND: f64 = 0.25;
 
 /// How often a run is looked at at least where its stepper chooses its steps: to tell how far it is, and to end it.
 const LOOKS: f64 = 32.0;
 
 /// No step that is chosen is longer than this, s: a slow scene is still to be drawn smoothly.
-const LONGEST: f64 = 0.01;
+pub(crate) const LONGEST: f64 = 0.01;
 
 /// Whether a run's stepper chooses the lengths of its steps itself, by its error estimate and the tolerance.
 #[must_use]
@@ -80,7 +80,7 @@ pub fn largest_stable_step(stepper: StepperName, bound: &StabilityBound) -> f64 
 }
 
 /// The largest number of two digits that is not larger: easier to read, and to write into a scene.
-fn two_digits_below(value: f64) -> f64 {
+pub(crate) fn two_digits_below(value: f64) -> f64 {
     let exponent = value.log10().floor() as i32 - 1;
     let digits = (value / 10_f64.powi(exponent)).floor().max(10.0);
     // Read back from text, so that it is the number that its digits name.

@@ -1,28 +1,36 @@
 //! What a run did, in a page.
 
 use super::accuracy::accuracy;
+use super::aim::aim;
 use super::ledger::ledger;
-use crate::accuracy::Attained;
+use crate::accuracy::{Aim, Attained};
 use crate::advice::skipped;
 use crate::cli::table::rows;
 use crate::scene::Settings;
 use crate::simulate::{Ending, Summary, chooses_steps};
 use crate::units::{count, counted, seconds};
 
+/// What a run's stepper and its steps were found for.
+#[derive(Clone, Copy)]
+pub(in crate::cli) enum Sought<'a> {
+    /// An accuracy that was asked for.
+    Accuracy(&'a Attained),
+    /// One that is aimed at, if they were found at all.
+    Aim(&'a Aim),
+}
+
 /// All of it, for standard error.
-pub(in crate::cli) fn summary(
-    settings: &Settings,
-    summary: &Summary,
-    attained: Option<&Attained>,
-    files: &[String],
-) -> String {
+pub(in crate::cli) fn summary(settings: &Settings, summary: &Summary, sought: Sought<'_>, files: &[String]) -> String {
     let mut facts = vec![fact("reached", reached(settings, summary))];
-    match attained {
-        Some(attained) => {
+    match sought {
+        Sought::Accuracy(attained) => {
             facts.push(fact("steps", steps_within(settings, summary, attained)));
             facts.extend(accuracy(attained));
         }
-        None => facts.push(fact("steps", steps(settings, summary))),
+        Sought::Aim(sought) => {
+            facts.push(fact("steps", steps(settings, summary)));
+            facts.extend(aim(sought));
+        }
     }
     facts.extend(summary.choices.iter().map(|choice| fact("auto chose", choice.to_string())));
     facts.push(fact("frames", frames(summary, files)));

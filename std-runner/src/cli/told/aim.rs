@@ -1,0 +1,24 @@
+//! What a scene that leaves its stepper and its time step open was stepped with, and why.
+
+use crate::accuracy::{Aim, Aimed};
+use crate::units::{metres, seconds};
+
+/// What is told of it in the summary; nothing where nothing was open.
+pub(super) fn aim(aim: &Aim) -> Option<[String; 2]> {
+    let found = match aim {
+        Aim::Found(Aimed { error, prefix, .. }) if *prefix > 0.0 => format!(
+            "the cheapest steps that pilot runs of {} let expect errors below {} with, a thousandth of the scene's size; \
+             --max-error keeps to one",
+            seconds(*prefix),
+            metres(*error)
+        ),
+        Aim::Found(Aimed { error, .. }) => format!(
+            "steps for errors below {}, a thousandth of the scene's size, without pilot runs: so few of them are over as \
+             soon",
+            metres(*error)
+        ),
+        Aim::Lost => "a quarter of the largest stable time step: pilot runs left the finite numbers".to_owned(),
+        Aim::Given | Aim::Interrupted => return None,
+    };
+    Some(["found".to_owned(), found])
+}
