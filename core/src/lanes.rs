@@ -18,7 +18,7 @@ pub use transpose::{Rows, Set};
 use transpose::Avx;
 use transpose::Whole;
 
-/// A set of vector instructions, narrowest first. A world steps with the widest that there is; this is how to ask for
+/// A set of vector instructions, narrowest first; none of them shows in the bits. A world steps with the widest that there is; this is how to ask for
 /// less, to compare.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Lanes {

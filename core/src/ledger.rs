@@ -10,6 +10,24 @@ use crate::world::View;
 /// It sums what leaves through damping and impacts and what moving pins put in, by the trapezoidal rule over every
 /// part of a step, in `f64` whatever the precision of the world. What is then missing from the energy is the
 /// integrator's own error.
+///
+/// ```
+/// use hooke::{Ledger, Particle, Reflect, SemiImplicitEuler, World};
+///
+/// let mut world = World::<f64, 1, 0, 0>::new();
+/// world.set_gravity([0.0, 0.0, -10.0])?;
+/// world.add_particle(Particle::at([0.0, 0.0, 5.0]).with_mass(2.0))?;
+/// let mut view = world.view();
+/// let mut ledger = Ledger::open(&view);
+/// for _ in 0..1000 {
+///     view.step_observed(&mut SemiImplicitEuler, &mut Reflect, 1e-3, &mut ledger)?;
+/// }
+/// let balance = ledger.balance(&view);
+/// // ½ m v² of v = 10 m/s, and what a first-order method is off by: ½ m g² t dt.
+/// assert!((balance.kinetic - 100.0).abs() < 1e-9);
+/// assert!((balance.remainder() + 0.1).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Ledger {
     opened_with: f64,
@@ -34,26 +52,26 @@ struct Account {
 /// Where the energy is, and where it went, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Balance {
-    /// Σ ½ m v²
+    /// Σ ½ m v², J.
     pub kinetic: f64,
-    /// Σ ½ k (l − l_rest)²
+    /// Σ ½ k (l − l_rest)², J.
     pub elastic: f64,
-    /// −Σ m g·x
+    /// −Σ m g·x, J: 0 at the origin.
     pub gravitational: f64,
-    /// ∫ Σ k_d l̇² dt
+    /// ∫ Σ k_d l̇² dt, J.
     pub lost_to_damping: f64,
-    /// Of all bounces; putting a particle back on a plane counts with them.
+    /// Of all bounces, J; putting a particle back on a plane counts with them.
     pub lost_in_impacts: f64,
-    /// Kinetic energy that islands still had when they fell asleep.
+    /// Kinetic energy that islands still had when they fell asleep, J.
     pub lost_to_sleep: f64,
-    /// What was needed to move kinematic particles against their springs.
+    /// What was needed to move kinematic particles against their springs, J.
     pub work_of_pins: f64,
-    /// Kinetic, elastic and gravitational energy when the ledger was opened.
+    /// Kinetic, elastic and gravitational energy when the ledger was opened, J.
     pub opened_with: f64,
 }
 
 impl Balance {
-    /// What the integrator has added (positive) or lost (negative): 0 for the exact solution.
+    /// What the integrator has added (positive) or lost (negative), J: 0 for the exact solution.
     #[must_use]
     pub fn remainder(&self) -> f64 {
         self.kinetic
@@ -66,7 +84,7 @@ impl Balance {
             - self.opened_with
     }
 
-    /// The size of the energies that the remainder is what is left of.
+    /// The size of the energies that the remainder is what is left of, J; 0 or more.
     #[must_use]
     pub fn scale(&self) -> f64 {
         [self.elastic, self.gravitational, self.lost_to_damping, self.lost_in_impacts, self.work_of_pins]
@@ -77,7 +95,7 @@ impl Balance {
 }
 
 impl Ledger {
-    /// Opens it on the current state.
+    /// Opens it on the current state, with nothing lost yet.
     #[must_use]
     pub fn open<R: Real>(view: &View<'_, R>) -> Self {
         let opened_with = kinetic(&view.system, &view.current)
@@ -86,7 +104,7 @@ impl Ledger {
         Self { opened_with, account: Account::default(), before: Account::default() }
     }
 
-    /// The balance at the current state.
+    /// The balance at the current state: of the view that was stepped with this ledger looking on.
     #[must_use]
     pub fn balance<R: Real>(&self, view: &View<'_, R>) -> Balance {
         Balance {

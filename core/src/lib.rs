@@ -1,29 +1,4 @@
-//! Physics-based animation: particles joined by springs, under gravity, bouncing on planes.
-//!
-//! `no_std`, without allocation, of fixed capacity: the same code steps eight particles on a microcontroller and a
-//! million on a desktop, to the same bits.
-//!
-//! ```
-//! use hooke::{Fixed, Particle, Plane, Spring, TimeOfImpact, VelocityVerlet, World};
-//!
-//! // Room for 4 particles, 4 springs and 1 plane.
-//! let mut world = World::<f64, 4, 4, 1>::new();
-//! world.set_gravity([0.0, 0.0, -9.81])?;
-//! let ceiling = world.add_particle(Particle::at([0.0, 0.0, 2.0]).pinned())?;
-//! let mass = world.add_particle(Particle::at([0.0, 0.0, 1.0]).with_mass(0.5))?;
-//! world.add_spring(Spring::new([ceiling, mass], 40.0, 0.8).with_damping(0.2))?;
-//! world.add_plane(Plane::through([0.0; 3], [0.0, 0.0, 1.0], 0.8)?)?;
-//!
-//! // A stepper and a response own whatever room they need, of the same capacity.
-//! let mut stepper = VelocityVerlet::<f64, Fixed<4, 4, 1>>::new();
-//! let mut response = TimeOfImpact::<f64, Fixed<4, 4, 1>>::new();
-//! for _ in 0..1000 {
-//!     world.step(&mut stepper, &mut response, 1e-3)?;
-//! }
-//! assert!((world.time() - 1.0).abs() < 1e-12);
-//! assert!(world.position(mass).is_some_and(|position| position.z < 1.2));
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+#![doc = include_str!("../README.md")]
 //!
 //! # How it is built
 //!
@@ -52,14 +27,6 @@
 //!
 //! The same bits come out on every machine: every operation is rounded as IEEE 754 says, none is fused, and the order
 //! of every sum is fixed when a world is prepared.
-//!
-//! # Features
-//!
-//! - `std`: square roots from the standard library. Without it they are the machine's own all the same, to the same bits,
-//!   on x86-64, AArch64, WebAssembly and, in `f32`, on Arm with a floating-point unit (`eabihf`); elsewhere they are
-//!   libm's.
-//!
-//! On WebAssembly, build with `-C target-feature=+simd128`: without it roots are `f32.sqrt` too, one at a time.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod carried;

@@ -57,7 +57,7 @@ pub trait Real:
     /// Positive infinity.
     const INFINITY: Self;
 
-    /// The square root, correctly rounded.
+    /// The square root, correctly rounded; NaN of what is less than 0.
     #[must_use]
     fn sqrt(self) -> Self;
     /// The absolute value.
@@ -65,7 +65,7 @@ pub trait Real:
     fn abs(self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// The nearest number of this type.
+    /// The nearest number of this type; infinite past its range.
     fn from_f64(value: f64) -> Self;
     /// The same number as an `f64`; exact.
     fn to_f64(self) -> f64;

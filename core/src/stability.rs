@@ -64,6 +64,19 @@ impl StabilityBound {
 
 impl<R: Real> View<'_, R> {
     /// The bound for the current state, as far as it does not sleep; nothing where no spring pulls at a free particle.
+    ///
+    /// ```
+    /// use hooke::{Particle, Spring, World};
+    ///
+    /// let mut world = World::<f64, 2, 1, 0>::new();
+    /// let pin = world.add_particle(Particle::at([0.0; 3]).pinned())?;
+    /// let mass = world.add_particle(Particle::at([1.0, 0.0, 0.0]).with_mass(0.25))?;
+    /// world.add_spring(Spring::new([pin, mass], 100.0, 1.0))?;
+    /// // ω² = k/m: 20 rad/s, and undamped ω dt = 2.
+    /// let bound = world.view().stability().ok_or("no spring pulls at a free particle")?;
+    /// assert!((bound.frequency - 20.0).abs() < 1e-12 && (bound.velocity_verlet - 0.1).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn stability(&self) -> Option<StabilityBound> {
         bound(&System { plan: self.system.plan.awake(), ..self.system }, &self.current)

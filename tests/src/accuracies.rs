@@ -102,7 +102,8 @@ impl Known {
     pub fn run(&self, asked: &MaxError) -> Kept {
         let states = Keep::default();
         let interrupted = AtomicBool::new(false);
-        let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+        let options =
+            Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
         let ran = run(&self.model, &self.settings, asked, &states, &options).expect("a run");
         let within = ran.expect("nobody interrupts it");
         let states = std::mem::take(&mut *states.0.lock().expect("nobody panics with it"));
@@ -139,7 +140,7 @@ impl Known {
     pub fn ran(&self, settings: &Settings, error: f64) -> f64 {
         let states = Keep::default();
         let interrupted = AtomicBool::new(false);
-        let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+        let options = Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
         let begin = |start: &Start| states.begin::<f64>(start, settings);
         simulate::<f64>(&self.model, settings, begin, &options).expect("a run");
         let states = std::mem::take(&mut *states.0.lock().expect("nobody panics with it"));

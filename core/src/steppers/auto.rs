@@ -23,6 +23,23 @@ const MARGIN: f64 = 0.95;
 ///
 /// Exact flight, from plane to plane without stepping in between, needs [`crate::TimeOfImpact`]; the other responses
 /// answer hits at the end of each step, up to which such a particle then flies by x + dt v + ½dt² g.
+///
+/// ```
+/// use hooke::{Auto, Chosen, Fixed, Particle, Spring, TimeOfImpact, World};
+///
+/// let mut world = World::<f64, 2, 1, 0>::new();
+/// let pin = world.add_particle(Particle::at([0.0; 3]).pinned())?;
+/// let mass = world.add_particle(Particle::at([1.1, 0.0, 0.0]))?;
+/// world.add_spring(Spring::new([pin, mass], 100.0, 1.0))?;
+/// let mut stepper = Auto::<f64, Fixed<2, 1, 0>>::new(1e-6);
+/// let mut response = TimeOfImpact::<f64, Fixed<2, 1, 0>>::new();
+/// // ω = 10 rad/s: Verlet is stable up to 0.2 s.
+/// world.step(&mut stepper, &mut response, 0.1)?;
+/// assert_eq!(stepper.choice().map(|choice| choice.chosen), Some(Chosen::VelocityVerlet));
+/// world.step(&mut stepper, &mut response, 1.0)?;
+/// assert_eq!(stepper.choice().map(|choice| choice.chosen), Some(Chosen::ImplicitEuler));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Auto<R: Real, M: Storage, const FILL: usize = 1> {
     verlet: VelocityVerlet<R, M>,
     implicit: ImplicitEuler<R, M, FILL>,
@@ -59,7 +76,8 @@ pub struct Choice {
 }
 
 impl<R: Real, M: Storage, const FILL: usize> Auto<R, M, FILL> {
-    /// With the tolerance of [`ImplicitEuler`], should it be chosen.
+    /// With the tolerance of [`ImplicitEuler`], should it be chosen: relative, without a unit; 1e-6, say. Without room for any
+    /// particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
         Self {
@@ -105,7 +123,8 @@ impl<R: Real, M: Storage, const FILL: usize> Auto<R, M, FILL> {
 }
 
 impl Choice {
-    /// What [`Auto`] chooses for a time step (s) within these bounds.
+    /// What [`Auto`] chooses for a time step (s; positive and finite) within these bounds; nothing where no spring pulls at a free
+    /// particle.
     #[must_use]
     pub fn of(bound: Option<StabilityBound>, time_step: f64) -> Self {
         let chosen = match bound {

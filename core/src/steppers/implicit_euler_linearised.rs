@@ -17,7 +17,8 @@ pub struct ImplicitEulerLinearised<R: Real, M: Storage, const FILL: usize = 1> {
 }
 
 impl<R: Real, M: Storage, const FILL: usize> ImplicitEulerLinearised<R, M, FILL> {
-    /// With the residual at which the linear system counts as solved, relative to its right-hand side; 1e-6, say.
+    /// With the residual at which the linear system counts as solved, relative to its right-hand side, without a
+    /// unit; more than 0; 1e-6, say. Without room for any particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
         Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance) }

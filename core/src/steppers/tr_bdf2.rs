@@ -28,7 +28,8 @@ pub struct TrBdf2<R: Real, M: Storage, const FILL: usize = 1> {
 }
 
 impl<R: Real, M: Storage, const FILL: usize> TrBdf2<R, M, FILL> {
-    /// With the residual at which a stage counts as solved, relative to the size of its terms; 1e-6, say.
+    /// With the residual at which a stage counts as solved, relative to the size of its terms, without a unit;
+    /// 1e-6, say. 0 asks for as little as rounding allows. Without room for any particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
         Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance), base: StateColumns::EMPTY }

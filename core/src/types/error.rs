@@ -5,7 +5,7 @@ use core::fmt;
 use super::{Particle, Plane, Spring};
 use crate::Real;
 
-/// A column has no room for what it should hold.
+/// A column has no room for what it should hold: give what owns it a larger capacity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Full {
     /// How many it can hold.
@@ -72,15 +72,16 @@ pub enum SetError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
-    /// The time step is not positive and finite.
+    /// The time step, s, is not positive and finite, or the time it should end at is not later than now and finite.
     TimeStep,
-    /// The stepper is for worlds without damping.
+    /// The stepper is for worlds without damping, and a spring has some: [`crate::DormandPrinceRkn8`]. Take another.
     Damped,
-    /// The tolerance of the stepper is not positive and finite.
+    /// The tolerance of a stepper that chooses its steps is not positive and finite.
     Tolerance,
-    /// The workspace of the stepper or of the response is too small for the world.
+    /// The workspace of the stepper or of the response is too small for the world: give it the world's capacity.
     Workspace(Full),
-    /// The step would have made this particle's position or velocity infinite or NaN.
+    /// The step would have made this particle's position or velocity infinite or NaN: as a rule it is too long for the stepper,
+    /// which [`crate::View::stability`] tells.
     NonFinite {
         /// The first such particle by number.
         particle: u32,

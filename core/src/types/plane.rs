@@ -9,6 +9,15 @@ use super::AddPlaneError;
 ///
 /// A particle hits it when n·x < offset while n·v < 0. Its normal velocity then becomes −e times itself and its
 /// tangential velocity is kept.
+///
+/// ```
+/// use hooke::{AddPlaneError, Plane};
+///
+/// let slope = Plane::<f64>::through([0.0, 0.0, 1.0], [3.0, 0.0, 4.0], 0.5)?;
+/// assert!((slope.offset() - 0.8).abs() < 1e-15);
+/// assert_eq!(Plane::<f64>::through([0.0; 3], [0.0; 3], 0.5), Err(AddPlaneError::Normal));
+/// # Ok::<(), AddPlaneError<f64>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<R> {
     pub(crate) normal: [R; 3],

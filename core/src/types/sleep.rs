@@ -11,6 +11,15 @@ use crate::Real;
 ///
 /// In `f32` the roundings of a stiff spring's length alone can accelerate a light particle by more than a small speed
 /// allows: it then stays awake.
+///
+/// ```
+/// use hooke::{Sleep, World};
+///
+/// let mut world = World::<f32, 8, 8, 1>::new();
+/// world.set_sleep(Some(Sleep::below(0.01).after(0.5)))?; // slower than 1 cm/s for half a second
+/// assert!(world.set_sleep(Some(Sleep::below(0.0))).is_err());
+/// # Ok::<(), hooke::SetError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sleep<R> {
     /// m/s; positive and finite.

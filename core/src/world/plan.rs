@@ -28,7 +28,7 @@ pub struct Plan {
     pub of_one_mass: (u32, u32),
     /// Particles that are pinned or kinematic.
     pub held: u32,
-    /// Springs: without any, both force passes are left out.
+    /// All springs: without any, both force passes are left out.
     pub springs: u32,
     /// Springs between two held particles: they move nothing, and no step looks at them.
     pub idle: u32,
@@ -47,7 +47,7 @@ pub struct Plan {
     pub reach_by_number: u32,
     /// Stretches that those diagonals are cut into.
     pub pieces: u32,
-    /// Planes: without any, nothing is tested for hits.
+    /// All planes: without any, nothing is tested for hits.
     pub planes: u32,
     /// Islands, the connected parts of the spring graph; held particles do not connect. Where none may sleep nobody
     /// counts them, and this is 0.

@@ -28,6 +28,10 @@ use crate::units::counted;
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
     let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
+    if arguments.digest && outputs.to_standard_output() {
+        let message = "--digest and --out - both print to standard output";
+        return Err(Failure::input(message.to_owned(), "record to a file: --out FILE.csv"));
+    }
     let (model, settings) = (&loaded.model, loaded.scene.settings());
     let interrupted = interrupt::watch();
     if let Some(asked) = settings.max_error {
@@ -57,6 +61,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         Ok(summary) => {
             let files = outputs.names();
             print::message(&told::summary(settings, &summary, Sought::Aim(&aim), &files));
+            print::digest(summary.digest)?;
             told::outcome(model, settings, &summary, !files.is_empty())
         }
         Err(error) => stopped(error, settings, &outputs),
@@ -79,7 +84,13 @@ fn run_in<R: Stepped>(
 }
 
 pub(super) fn options<'a>(arguments: &RunArguments, interrupted: &'a AtomicBool, progress: &'a Bar) -> Options<'a> {
-    Options { ledger: !arguments.no_ledger, threads: arguments.threads.map(NonZeroU32::get), interrupted, progress }
+    Options {
+        ledger: !arguments.no_ledger,
+        digest: arguments.digest,
+        threads: arguments.threads.map(NonZeroU32::get),
+        interrupted,
+        progress,
+    }
 }
 
 pub(super) fn stopped(error: RunError, settings: &Settings, outputs: &Outputs) -> Result<Outcome, Failure> {

@@ -35,7 +35,8 @@ pub struct Adaptive<R: Real, M: Storage, T, const STAGES: usize> {
 }
 
 impl<R: Real, M: Storage, T: Embedded<STAGES>, const STAGES: usize> Adaptive<R, M, T, STAGES> {
-    /// With the largest error in any position that a single part of a step may have, m. How errors add up is the
+    /// With the largest error in any position that a single part of a step may have, m; positive and finite, else every step is
+    /// refused with [`StepError::Tolerance`]. How errors add up is the
     /// world's: a thousandth of what is to be reached in the end is a good first guess.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {

@@ -86,7 +86,7 @@ pub struct DenseOutput<S, R: Real, M: Storage> {
 }
 
 impl<S, R: Real, M: Storage> DenseOutput<S, R, M> {
-    /// Of a stepper.
+    /// Of a stepper, which it steps as: one that tells its stages, [`super::Dop853`] or [`super::AdaptiveDop853`].
     #[must_use]
     pub const fn of(stepper: S) -> Self {
         Self {
