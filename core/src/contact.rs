@@ -102,6 +102,9 @@ fn push_apart<R: Real>(first: &Plane<R>, second: &Plane<R>, a: [R; 3]) -> bool {
     b_1 - cosine * b_2 <= nothing && b_2 - cosine * b_1 <= nothing
 }
 
+/// [`hold_up`], where a response asks for it: a program without one does not contain it.
+pub type HoldUp<R> = fn(&System<'_, R>, Range<u32>, Columns<'_, R>, Columns<'_, R>, ColumnsMut<'_, R>);
+
 /// Takes from the accelerations of the particles in these slots what planes hold up.
 pub fn hold_up<R: Real>(
     system: &System<'_, R>,

@@ -31,6 +31,9 @@ pub enum Lanes {
 }
 
 impl Lanes {
+    /// The widest of those that any machine is found to have. Without the feature `std` none is looked for.
+    pub(crate) const MOST: Self = if cfg!(feature = "std") { Self::Avx512 } else { Self::Baseline };
+
     /// The widest set that this machine has, of those that are chosen when the program runs: with the feature `std`,
     /// on x86-64.
     #[must_use]

@@ -31,8 +31,9 @@ pub trait Divisible: Sized + Send {
 /// Does the work, in halves for as long as there are threads for them.
 pub fn share<W: Divisible>(work: W, workers: Option<&dyn Workers>) -> W::Outcome {
     match workers {
-        Some(workers) => among(work, workers, workers.count()),
-        None => work.alone(),
+        // Who has no flash for a second copy has no threads either.
+        Some(workers) if !cfg!(feature = "small") => among(work, workers, workers.count()),
+        _ => work.alone(),
     }
 }
 

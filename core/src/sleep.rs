@@ -16,12 +16,41 @@ struct Calm<R> {
     change: R,
 }
 
-impl<R: Real> View<'_, R> {
+/// When what rests falls asleep, and what sees to it: a program that lets nothing sleep does not contain that.
+#[derive(Clone, Copy)]
+pub struct Sleeping<R: Real> {
+    pub sleep: Sleep<R>,
+    fall_asleep: fn(&mut View<'_, R>, Sleep<R>, R) -> Option<f64>,
     /// Takes a step without what sleeps.
-    pub(crate) fn step_awake(
-        &mut self,
-        step: impl FnOnce(&mut View<'_, R>) -> Result<StepReport, StepError>,
-    ) -> Result<StepReport, StepError> {
+    pub step_awake: fn(&mut View<'_, R>, Step<'_, R>) -> Result<StepReport, StepError>,
+}
+
+/// Takes a step.
+type Step<'a, R> = &'a mut dyn FnMut(&mut View<'_, R>) -> Result<StepReport, StepError>;
+
+impl<R: Real> Sleeping<R> {
+    pub fn new(sleep: Sleep<R>) -> Self {
+        Self {
+            sleep,
+            fall_asleep: |view, sleep, dt| view.fall_asleep(sleep, dt),
+            step_awake: |view, step| view.step_awake(step),
+        }
+    }
+}
+
+impl<R: Real> View<'_, R> {
+    /// After a step of `dt`: what rests falls asleep, if it may. Returns whether any has, or is about to be moved since.
+    #[inline(always)]
+    pub(crate) fn rest_after(&mut self, dt: R, observer: &mut impl Observer<R>) -> bool {
+        let Some(Sleeping { sleep, fall_asleep, .. }) = self.sleep else { return false };
+        if let Some(lost) = fall_asleep(self, sleep, dt) {
+            observer.fell_asleep(lost);
+        }
+        self.watch.fell_asleep
+    }
+
+    /// Takes a step without what sleeps.
+    fn step_awake(&mut self, step: Step<'_, R>) -> Result<StepReport, StepError> {
         let front = *self.front;
         let mut stepped = step(&mut self.awake());
         if *self.front != front {
@@ -33,24 +62,22 @@ impl<R: Real> View<'_, R> {
         stepped
     }
 
-    /// After a step of `dt`, puts what has rested for long enough to sleep, if it is time to look. Returns whether any did.
-    pub(crate) fn fall_asleep(&mut self, sleep: Sleep<R>, dt: R, observer: &mut impl Observer<R>) -> bool {
+    /// After a step of `dt`, puts what has rested for long enough to sleep, if it is time to look. Returns the kinetic energy
+    /// that was left in it, J, if any did.
+    fn fall_asleep(&mut self, sleep: Sleep<R>, dt: R) -> Option<f64> {
         self.watch.since += dt.to_f64();
         let interval = sleep.time.to_f64() / f64::from(LOOKS);
         // A rounding less: so many steps may add up to a little less than the time that they make up.
         if self.watch.since < (1.0 - 1e-6) * interval {
-            return false;
+            return None;
         }
         self.watch.since = 0.0;
         let change = sleep.speed * (dt / R::from_f64(interval));
         let calm = Calm { speed: sleep.speed * sleep.speed, change: change * change };
         self.stir_what_hangs_on_movers();
         let lost = self.look(&calm);
-        if let Some(lost) = lost {
-            observer.fell_asleep(lost);
-            self.watch.fell_asleep = true;
-        }
-        lost.is_some()
+        self.watch.fell_asleep |= lost.is_some();
+        lost
     }
 
     /// A held particle that moves keeps everything awake that hangs on it.

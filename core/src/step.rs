@@ -2,6 +2,7 @@
 
 use crate::Real;
 use crate::roles::{Observer, Response, Stepper};
+use crate::sleep::Sleeping;
 use crate::types::{StepError, StepReport};
 use crate::vectors::{at, fetch, read};
 use crate::world::{Clock, Container, Storage, View};
@@ -106,24 +107,35 @@ impl<R: Real> View<'_, R> {
         self.is_next_finite = false;
         stepper.begins(self);
         observer.begins();
-        let stepped = if self.system.plan.asleep == 0 {
-            response.step(self, stepper, dt, observer)
-        } else {
-            self.step_awake(|awake| response.step(awake, stepper, dt, observer))
+        let stepped = match self.sleep {
+            Some(Sleeping { step_awake, .. }) if self.system.plan.asleep > 0 => {
+                step_awake(self, &mut |awake| respond(awake, stepper, response, dt, observer))
+            }
+            _ => respond(self, stepper, response, dt, observer),
         };
         if stepped.is_err() {
             observer.fails();
             stepper.fails(self);
             // What the stepper may remember of the state that was not to be must not pass for that of one to come.
             *self.epoch += 2;
-        } else if let Some(sleep) = self.sleep
-            && (self.fall_asleep(sleep, dt, observer) || self.watch.fell_asleep)
-        {
+        } else if self.rest_after(dt, observer) {
             // The next view moves them; until then every step remembers something anew.
             stepper.rearranged(self);
         }
         stepped
     }
+}
+
+/// A function of its own, so that there is one copy of it whether or not anything sleeps.
+#[inline(never)]
+fn respond<R: Real>(
+    view: &mut View<'_, R>,
+    stepper: &mut impl Stepper<R>,
+    response: &mut impl Response<R>,
+    dt: R,
+    observer: &mut impl Observer<R>,
+) -> Result<StepReport, StepError> {
+    response.step(view, stepper, dt, observer)
 }
 
 impl<R: Real, M: Storage> Container<R, M> {

@@ -151,15 +151,17 @@ pub fn window_mut<const COLUMNS: usize, T>(columns: [&mut [T]; COLUMNS], range: 
     columns.map(|column| column.get_mut(range.start as usize..range.end as usize).unwrap_or_default())
 }
 
-/// The same stretch of several columns, or nothing if it does not lie in all of them: in what follows the compiler knows
+/// The same stretch of three columns, or nothing if it does not lie in all of them: in what follows the compiler knows
 /// that they are of one length.
 #[inline(always)]
-pub fn cut<const COLUMNS: usize, T>(columns: [&[T]; COLUMNS], range: Range<u32>) -> Option<[&[T]; COLUMNS]> {
-    let mut cut = [<&[T]>::default(); COLUMNS];
-    for (cut, column) in cut.iter_mut().zip(columns) {
-        *cut = column.get(range.start as usize..range.end as usize)?;
-    }
-    Some(cut)
+pub fn cut<T>([x, y, z]: Columns<'_, T>, range: Range<u32>) -> Option<Columns<'_, T>> {
+    Some([part(x, range.clone())?, part(y, range.clone())?, part(z, range)?])
+}
+
+/// A stretch of one column, or nothing if it does not lie in it.
+#[inline(always)]
+pub fn part<T>(column: &[T], range: Range<u32>) -> Option<&[T]> {
+    column.get(range.start as usize..range.end as usize)
 }
 
 /// So many items of three columns from an index on, or nothing if there are fewer: in what follows the compiler knows that

@@ -20,7 +20,8 @@ pub fn advance_in_parts<R: Real>(
         let part = stepper.advance_up_to(view, rest, &mut report);
         view.refuse_non_finite()?;
         observer.advanced_by(view, part, stepper);
-        if part >= rest {
+        // The first half is known where a program is compiled: what parts take is then left out.
+        if !stepper.chooses_parts() || part >= rest {
             report.substeps = 1;
             return Ok(report);
         }

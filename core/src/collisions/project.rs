@@ -26,13 +26,11 @@ impl<R: Real> Response<R> for Project {
     ) -> Result<StepReport, StepError> {
         let mut report = advance_in_parts(view, stepper, dt, observer)?;
         let watched = observer.watches() && view.system.plan.planes > 0;
-        let potential = |view: &View<'_, R>| {
-            if watched { energy::potential(&view.system, &view.next) } else { 0.0 }
-        };
-        let before = potential(view);
+        let potential = |view: &View<'_, R>| energy::potential(&view.system, &view.next);
+        let before = if watched { potential(view) } else { 0.0 };
         let mut answer =
-            answer(&view.system, &mut view.next, |plane, gap, position| along(position, -gap, plane.normal));
-        if answer.hits > 0 {
+            answer(&view.system, &mut view.next, watched, |plane, gap, position| along(position, -gap, plane.normal));
+        if watched && answer.hits > 0 {
             answer.lost += before - potential(view);
         }
         finish(view, &mut report, &answer, observer)?;

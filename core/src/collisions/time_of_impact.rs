@@ -8,7 +8,7 @@ use super::stop::stop_all;
 use core::ops::Range;
 
 use crate::Real;
-use crate::contact::{lies_on, resting, support, touching};
+use crate::contact::{hold_up, lies_on, resting, support, touching};
 use crate::forces::pull;
 use crate::reach::Reach;
 use crate::roles::{Observer, Response, Stepper};
@@ -68,7 +68,7 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
-        view.system.support = view.system.plan.planes > 0;
+        view.system.support = (view.system.plan.planes > 0).then_some(hold_up);
         let mut start = Start { state: self.start.lend(), clock: None };
         let mut stepped = step(view, stepper, dt, observer, &mut start);
         if let Err(StepError::NonFinite { .. }) = stepped {
@@ -77,7 +77,7 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
             stepped = view.refuse_non_finite().and(stepped);
             start.restore(view);
         }
-        view.system.support = false;
+        view.system.support = None;
         stepped
     }
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::lanes::{self, Kernel, Present, Set};
-use crate::vectors::{Columns, ColumnsMut, cut, lend, read, set, triples, triples_mut};
+use crate::vectors::{Columns, ColumnsMut, lend, part, read, set, triples, triples_mut};
 use crate::world::System;
 
 /// Where a particle's acceleration comes from.
@@ -71,6 +71,16 @@ pub struct Rest<'a, R, A> {
     acceleration: A,
 }
 
+impl<'a, R: Real> Tile<'a, R, Known> {
+    /// Of particles whose accelerations have been written.
+    pub fn known(system: &System<'a, R>, slots: Range<u32>, accelerations: ColumnsMut<'a, R>) -> Option<Self> {
+        let inverse_mass = part(system.inverse_mass, slots.clone())?;
+        // Of a length with the others: what is in it is not looked at.
+        let above = [inverse_mass; 3];
+        Some(Self::of(system, slots, accelerations, above, inverse_mass, Known))
+    }
+}
+
 impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
     /// With the inverse masses of these particles.
     #[inline(always)]
@@ -109,12 +119,7 @@ impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
 pub fn inverse_masses<'a, R: Real>(system: &System<'a, R>, slots: &Range<u32>, uniform: &'a [R]) -> Option<&'a [R]> {
     let of_one_mass = &system.plan.of_one_mass;
     let is_uniform = !uniform.is_empty() && of_one_mass.0 <= slots.start && slots.end <= of_one_mass.1;
-    let [inverse_mass] = if is_uniform {
-        cut([uniform], 0..slots.end - slots.start)?
-    } else {
-        cut([system.inverse_mass], slots.clone())?
-    };
-    Some(inverse_mass)
+    if is_uniform { part(uniform, 0..slots.end - slots.start) } else { part(system.inverse_mass, slots.clone()) }
 }
 
 /// Accelerations in place of forces from below.

@@ -8,7 +8,7 @@ use super::tiles::{Forces, States};
 use crate::Real;
 use crate::carried::{Carried, corrected};
 use crate::lanes::{self, SixColumns};
-use crate::vectors::{cut, cut_mut, difference, lend, scaled, stretch, triples, triples_mut};
+use crate::vectors::{cut, cut_mut, difference, lend, part, scaled, stretch, triples, triples_mut};
 use crate::world::{Law, Piece, Springs, TILE};
 
 /// In place of a piece's presences: no gaps.
@@ -53,7 +53,7 @@ fn add_part<R: Real, F: Tension>(springs: &Springs<'_, R>, piece: &Piece, forces
         let laws = NO_GAPS.get(..piece.places as usize)?.iter().map(|_| (law, true));
         return if damped { pull::<R, F>(laws, piece, forces) } else { pull::<R, F::Undamped>(laws, piece, forces) };
     };
-    let [presences] = cut([springs.presences], presences..presences + piece.places)?;
+    let presences = part(springs.presences, presences..presences + piece.places)?;
     let laws = presences.iter().map(|presence| (law, *presence != 0));
     if damped { pull::<R, F>(laws, piece, forces) } else { pull::<R, F::Undamped>(laws, piece, forces) }
 }

@@ -6,6 +6,7 @@ mod diagonal;
 pub(crate) mod energy;
 mod law;
 mod net;
+mod plain;
 mod scattered;
 mod shared;
 mod sweep;
@@ -92,7 +93,7 @@ impl<R: Real> View<'_, R> {
         // Nobody needs the next state between two steps.
         self.next.velocity.iter_mut().for_each(|column| column.fill(R::ZERO));
         let awake = self.awake();
-        let system = System { support: false, ..awake.system };
+        let system = System { support: None, ..awake.system };
         let (position, velocity) = (awake.current.carried_position(), awake.current.carried_velocity());
         system.accelerations(position, velocity.value, awake.next.velocity, &mut StepReport::default());
         let accelerations = read(&self.next.velocity);

@@ -57,7 +57,7 @@ const FEW: usize = TILE as usize / 2;
 /// Apart, so that others need not have the room.
 #[inline(never)]
 fn with_room<R: Real, T: Then<R>, F: Tension, const SIZE: usize>(work: &mut Accelerations<'_, R, T, F>) -> Outcome {
-    let mut room = Room([[R::ZERO; SIZE]; 3]);
+    let mut room = const { Room([[R::ZERO; SIZE]; 3]) };
     work.go_through(room.0.each_mut().map(<[R; SIZE]>::as_mut_slice)).unwrap_or_default()
 }
 

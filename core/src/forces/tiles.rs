@@ -7,10 +7,9 @@ use super::acceleration::{Acceleration, Falling, Pulled, Tile, inverse_masses};
 use super::law::Tension;
 use super::sweep::Sweep;
 use super::window::Window;
-use super::{diagonal, scattered};
+use super::{diagonal, plain, scattered};
 use crate::Real;
 use crate::carried::Carried;
-use crate::contact::hold_up;
 use crate::lanes::{self, Kernel, Present, Set};
 use crate::vectors::{Columns, ColumnsMut, at, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
@@ -71,6 +70,9 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
     /// With room for the forces from above on the particles of a tile, or on all if they are fewer, all 0. Nothing if a
     /// column is too short.
     pub fn go_through(&mut self, mut from_above: ColumnsMut<'_, R>) -> Option<Outcome> {
+        if cfg!(feature = "small") {
+            return plain::go_through(self, from_above);
+        }
         // Lent, as it is too large to be moved about.
         let Self { system, states, slots, out, then, window, .. } = self;
         let (system, states) = (*system, *states);
@@ -133,7 +135,7 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
             // Made where it is wanted: moved, it would have to be read while it is still being written.
             let slots = tile.clone();
             let sums = || Tile::of(system, slots, below, above, inverse_mass, Pulled);
-            outcome.finite &= if system.support {
+            outcome.finite &= if let Some(hold_up) = system.support {
                 let mut held = sums().write();
                 hold_up(system, tile, states.position.value, states.velocity, lend(&mut held.below));
                 then.then(held)

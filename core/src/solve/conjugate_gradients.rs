@@ -112,7 +112,7 @@ fn confine<R: Real>(system: &System<'_, R>, support: &[Support<R>], vector: &mut
             }
         }
     }
-    if system.support {
+    if system.support.is_some() {
         for (value, support) in vector.iter_mut().zip(support) {
             *value = support.allow(*value);
         }

@@ -31,7 +31,7 @@ impl<R: Real> Factor<'_, R> {
     /// Assembles the matrix and factorises it. False if it is not positive definite, and then there is no factor.
     pub fn make(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>, support: &[Support<R>]) -> bool {
         self.assemble(system, matrix);
-        if system.support {
+        if system.support.is_some() {
             self.confine(system, support);
         }
         self.factorise()

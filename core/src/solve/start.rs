@@ -13,7 +13,7 @@ pub fn start<R: Real>(view: &mut View<'_, R>, dt: R, scratch: &mut Scratch<'_, R
     let View { system, current, next, .. } = view;
     let (x, v) = (read(&current.position), read(&current.velocity));
     // What planes hold up is decided by what presses, before they push back.
-    let unsupported = System { support: false, ..*system };
+    let unsupported = System { support: None, ..*system };
     unsupported.accelerations(current.carried_position(), v, lend(&mut next.velocity), report);
     for slot in 0..system.plan.particles {
         let (velocity, a) = (fetch(v, slot), fetch(read(&next.velocity), slot));
@@ -23,7 +23,7 @@ pub fn start<R: Real>(view: &mut View<'_, R>, dt: R, scratch: &mut Scratch<'_, R
         }
         store(&mut next.velocity, slot, velocity);
         put(scratch.direction, slot, a);
-        let held = system.support.then(|| support(system.planes, fetch(x, slot), velocity, a));
+        let held = system.support.map(|_| support(system.planes, fetch(x, slot), velocity, a));
         put(scratch.support, slot, held.unwrap_or_default());
     }
     copy_columns(lend(&mut next.position), x);

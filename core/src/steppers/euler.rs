@@ -50,7 +50,7 @@ impl<R: Real, const EXPLICIT: bool> Update<'_, R, EXPLICIT> {
 
 impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
     #[inline(always)]
-    fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool {
+    fn then<A: Acceleration<R>>(&mut self, mut tile: Tile<'_, R, A>) -> bool {
         if R::IS_COMPENSATED {
             return self.carry(tile).unwrap_or(false);
         }
@@ -62,6 +62,13 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
         ) else {
             return false;
         };
+        if cfg!(feature = "small") {
+            tile.fresh();
+            let ([x, y, z], [u, v, w], [x_a, y_a, z_a]) = (x, v, tile.below);
+            let finite = update::<R, EXPLICIT>(self.dt, x, u, x_a, x_next);
+            let finite = update::<R, EXPLICIT>(self.dt, y, v, y_a, y_next) & finite;
+            return update::<R, EXPLICIT>(self.dt, z, w, z_a, z_next) & finite;
+        }
         let [x_below, y_below, z_below] = tile.below;
         let particles = Particles::<R, A, EXPLICIT> { dt: self.dt, x, v, rest: tile.rest };
         lanes::run_on_six(tile.rest.lanes, particles, x_below, y_below, z_below, x_next, y_next, z_next)
@@ -75,6 +82,19 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
             Self { next_position: upper, velocity_residual: upper_residual, first: slot, ..self },
         )
     }
+}
+
+/// Along one axis, from accelerations to the next velocities, in their place, and positions. Returns whether they are finite.
+#[inline(never)]
+fn update<R: Real, const EXPLICIT: bool>(dt: R, x: &[R], v: &[R], accelerations: &mut [R], next: &mut [R]) -> bool {
+    let mut finite = true;
+    for ((acceleration, next), (x, v)) in accelerations.iter_mut().zip(next).zip(x.iter().zip(v)) {
+        let velocity = *v + dt * *acceleration;
+        *next = *x + dt * if EXPLICIT { *v } else { velocity };
+        *acceleration = velocity;
+        finite &= next.is_finite() && (!EXPLICIT || velocity.is_finite());
+    }
+    finite
 }
 
 /// What a tile's particles are to be updated from, but for the forces from below.

@@ -28,8 +28,9 @@ impl Clock {
     #[must_use]
     pub fn later(self, duration: f64) -> Self {
         let sum = self.sum + duration;
-        let lost =
-            if self.sum.abs() >= duration.abs() { (self.sum - sum) + duration } else { (duration - sum) + self.sum };
+        // Numbers without a sign are in the order of their bits, which any machine can compare.
+        let is_larger = self.sum.abs().to_bits() >= duration.abs().to_bits();
+        let lost = if is_larger { (self.sum - sum) + duration } else { (duration - sum) + self.sum };
         Self { sum, residual: self.residual + lost, owed: self.owed }
     }
 }

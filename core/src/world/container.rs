@@ -1,6 +1,7 @@
 //! The world as its user holds it.
 
 use super::clock::Clock;
+use super::dormancy::Dormancy;
 use super::layout::{ParticleColumns, SpringColumns};
 use super::order::{is_idle, order};
 use super::pieces::{Found, Ordered};
@@ -34,12 +35,15 @@ pub struct Container<R: Real, M: Storage> {
     front: usize,
     epoch: u64,
     changes: u64,
-    /// Of what was prepared, if particles and springs still are where they belong.
-    plan: Option<Plan>,
+    /// Of what was prepared.
+    plan: Plan,
+    /// Whether particles and springs still are where it says.
+    is_laid_out: bool,
     /// Whether all of it holds.
     is_current: bool,
     lanes: Lanes,
-    sleep: Option<Sleep<R>>,
+    /// If islands may sleep.
+    sleep: Option<Dormancy<R, M>>,
     watch: Watch,
 }
 
@@ -62,9 +66,10 @@ impl<R: Real, M: Storage> Container<R, M> {
             front: 0,
             epoch: 0,
             changes: 0,
-            plan: None,
+            plan: Plan::EMPTY,
+            is_laid_out: false,
             is_current: false,
-            lanes: Lanes::Avx512,
+            lanes: Lanes::MOST,
             sleep: None,
             watch: Watch { since: 0.0, fell_asleep: false },
         }
@@ -84,7 +89,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
         let number = self.particles.push(particle)?;
         self.disturb();
-        self.plan = None;
+        self.is_laid_out = false;
         Ok(number)
     }
 
@@ -117,7 +122,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         let number = self.springs.push(spring, slots)?;
         slots.into_iter().for_each(|slot| self.wake(slot));
         self.disturb();
-        self.plan = None;
+        self.is_laid_out = false;
         Ok(number)
     }
 
@@ -217,7 +222,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         put(self.particles.inverse_mass.items_mut(), slot, inverse);
         if (before == R::ZERO) != (inverse == R::ZERO) && self.hangs_on_held(slot) {
             // The springs between them take part in steps, or do not any more.
-            self.plan = None;
+            self.is_laid_out = false;
         }
         if hold == Hold::Pinned {
             let [_, mut velocities] = self.current_mut().apart();
@@ -245,10 +250,10 @@ impl<R: Real, M: Storage> Container<R, M> {
         if sleep.is_some_and(|sleep| !sleep.is_sound()) {
             return Err(SetError::NotPositive);
         }
-        self.sleep = sleep;
+        self.sleep = sleep.map(Dormancy::new);
         self.wake_all();
         self.disturb();
-        self.plan = None;
+        self.is_laid_out = false;
         Ok(())
     }
 
@@ -279,14 +284,11 @@ impl<R: Real, M: Storage> Container<R, M> {
 
     /// The world as slices, prepared for stepping.
     pub fn view(&mut self) -> View<'_, R> {
-        let plan = match self.plan {
-            Some(plan) if self.is_current && !self.watch.fell_asleep => plan,
-            Some(_) if self.is_current => self.prepare(),
-            _ => {
-                self.disturb();
-                self.prepare()
-            }
-        };
+        let is_known = self.is_laid_out && self.is_current;
+        if !is_known {
+            self.disturb();
+        }
+        let plan = if is_known && !self.watch.fell_asleep { self.plan } else { self.prepare() };
         let Self { particles, springs, planes, gravity, clock, front, epoch, changes, lanes, sleep, watch, .. } = self;
         let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end, rest } =
             particles;
@@ -312,7 +314,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             plan,
             lanes: Present::up_to(*lanes),
             workers: None,
-            support: false,
+            support: None,
         };
         let slot_of = slot_of.items();
         let end = *clock;
@@ -327,7 +329,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             clock,
             end,
             slot_of,
-            sleep: *sleep,
+            sleep: sleep.map(|dormancy| dormancy.sleeping),
             rest: rest.items_mut(),
             watch,
         }
@@ -335,7 +337,7 @@ impl<R: Real, M: Storage> Container<R, M> {
 
     /// Sorts particles into slots, and lists their springs. Returns what a plan says of that.
     fn lay_out(&mut self) -> Plan {
-        let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep.is_some());
+        let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep);
         order(&mut self.springs, self.particles.inverse_mass.items(), layout.first_asleep());
         list_incidences(&mut self.particles, &mut self.springs);
         let Layout { particles, attached, asleep, islands, islands_asleep, renumbered, .. } = layout;
@@ -354,11 +356,8 @@ impl<R: Real, M: Storage> Container<R, M> {
 
     /// Puts everything where it belongs, and finds out what the world needs.
     fn prepare(&mut self) -> Plan {
-        let laid_out = match self.plan {
-            // Where islands may sleep, the layout also follows from what is held and what is calm.
-            Some(plan) if self.sleep.is_none() => plan,
-            _ => self.lay_out(),
-        };
+        // Where islands may sleep, the layout also follows from what is held and what is calm.
+        let laid_out = if self.is_laid_out && self.sleep.is_none() { self.plan } else { self.lay_out() };
         let Plan { particles, attached, asleep, .. } = laid_out;
         let first_asleep = particles - asleep;
         let springs = self.springs.ends.items().partition_point(|[_, j]| *j < first_asleep);
@@ -382,13 +381,18 @@ impl<R: Real, M: Storage> Container<R, M> {
             ..laid_out
         };
         self.watch.fell_asleep = false;
-        self.plan = Some(plan);
+        self.plan = plan;
+        self.is_laid_out = true;
         self.is_current = true;
         plan
     }
 
     /// Finds those of the first so many springs that lie on diagonals: how many there are, in how many pieces.
     fn find_pieces(&mut self, attached: u32, count: usize) -> (u32, u32) {
+        if cfg!(feature = "small") {
+            // Every spring is gone through by itself.
+            return (0, 0);
+        }
         let SpringColumns { ends, stiffness, damping, rest_length, pieces, presences, .. } = &mut self.springs;
         let ordered = Ordered {
             ends: ends.items().get(..count).unwrap_or_default(),
@@ -415,23 +419,11 @@ impl<R: Real, M: Storage> Container<R, M> {
 
     /// Touches a particle: the island that it belongs to, and those that hang on it, wake.
     fn wake(&mut self, slot: u32) {
-        if self.sleep.is_none() {
-            return;
+        if let Some(Dormancy { touch, .. }) = self.sleep
+            && touch(&mut self.particles, &self.springs, slot)
+        {
+            self.is_laid_out = false;
         }
-        let ParticleColumns { inverse_mass, incidence_end, particle_at, rest, .. } = &mut self.particles;
-        let is_dynamic = |slot: &u32| at(inverse_mass.items(), *slot) > R::ZERO;
-        let mut touch = |slot: u32| {
-            let particle = at(particle_at.items(), slot);
-            let mark = Mark::from_byte(at(rest.items(), particle));
-            if mark.is_asleep() {
-                self.plan = None;
-            }
-            put(rest.items_mut(), particle, mark.awake().stirred().to_byte());
-        };
-        touch(slot);
-        let springs = self.springs.incidences.items().as_flattened();
-        let neighbours = incidences_of(slot, incidence_end.items(), springs).iter().map(|spring| spring.neighbour);
-        neighbours.filter(is_dynamic).for_each(touch);
     }
 
     /// Whether a spring leads from a particle to a held one.

@@ -9,6 +9,7 @@
 use core::ops::Range;
 
 use super::layout::Incidence;
+use super::sort::{self, exchange};
 use crate::vectors::{at, put};
 
 /// Searches in all: each begins at the far end of the one before. Three are common, and a few more find a longer way.
@@ -74,7 +75,13 @@ impl Graph<'_> {
         for slot in island.clone() {
             let list = self.list(slot);
             let list = self.incidences.get_mut(list.start as usize..list.end as usize).unwrap_or_default();
-            list.sort_unstable_by_key(|Incidence { neighbour, .. }| (degree(self.list_end, *neighbour), *neighbour));
+            let key = |Incidence { neighbour, .. }: &Incidence| (degree(self.list_end, *neighbour), *neighbour);
+            if cfg!(feature = "small") {
+                let precedes = |list: &[Incidence], first, second| key(&at(list, first)) < key(&at(list, second));
+                sort::sort(list, list.len() as u32, precedes, exchange);
+            } else {
+                list.sort_unstable_by_key(key);
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use super::view::State;
 use crate::Real;
 use crate::carried::Carried;
 use crate::types::{AddParticleError, AddSpringError, Full, Hold, Particle, Spring};
+use crate::vectors::ColumnsMut;
 
 /// One spring as one of its particles sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -97,12 +98,13 @@ impl<R: Real, M: Storage> StateColumns<R, M> {
         }
     }
 
+    #[cfg_attr(feature = "small", inline(never))]
     pub fn lend(&mut self) -> State<'_, R> {
         State {
-            position: self.position.each_mut().map(Column::items_mut),
-            velocity: self.velocity.each_mut().map(Column::items_mut),
-            position_residual: self.position_residual.each_mut().map(Column::items_mut),
-            velocity_residual: self.velocity_residual.each_mut().map(Column::items_mut),
+            position: items_mut(&mut self.position),
+            velocity: items_mut(&mut self.velocity),
+            position_residual: items_mut(&mut self.position_residual),
+            velocity_residual: items_mut(&mut self.velocity_residual),
         }
     }
 
@@ -113,17 +115,30 @@ impl<R: Real, M: Storage> StateColumns<R, M> {
         residuals.into_iter().try_for_each(|column| column.fit(count))
     }
 
-    /// Fails where there is no room.
-    fn push(&mut self, position: R::Vec3, velocity: R::Vec3) -> Result<(), ()> {
-        let columns = self.position.iter_mut().chain(&mut self.velocity);
-        let columns = columns.zip(self.position_residual.iter_mut().chain(&mut self.velocity_residual));
-        for ((column, residuals), coordinate) in columns.zip(position.into().into_iter().chain(velocity.into())) {
-            let (value, residual) = R::carry(coordinate);
-            column.push(value).map_err(|_| ())?;
-            residuals.push(residual).map_err(|_| ())?;
-        }
-        Ok(())
+    /// Nothing where there is no room.
+    fn push(&mut self, position: R::Vec3, velocity: R::Vec3) -> Option<()> {
+        push::<R, M>(&mut self.position, &mut self.position_residual, position)?;
+        push::<R, M>(&mut self.velocity, &mut self.velocity_residual, velocity)
     }
+}
+
+/// Appends a vector. Nothing where there is no room.
+#[cfg_attr(feature = "small", inline(never))]
+fn push<R: Real, M: Storage>(
+    columns: &mut [M::Particles<R>; 3],
+    residuals: &mut [M::Particles<R::Residual>; 3],
+    vector: R::Vec3,
+) -> Option<()> {
+    for ((column, residuals), coordinate) in columns.iter_mut().zip(residuals).zip(vector.into()) {
+        let (value, residual) = R::carry(coordinate);
+        column.push(value).ok()?;
+        residuals.push(residual).ok()?;
+    }
+    Some(())
+}
+
+fn items_mut<T: Copy, C: Column<T>>([x, y, z]: &mut [C; 3]) -> ColumnsMut<'_, T> {
+    [x.items_mut(), y.items_mut(), z.items_mut()]
 }
 
 impl<R: Real, M: Storage> ParticleColumns<R, M> {
@@ -144,24 +159,27 @@ impl<R: Real, M: Storage> ParticleColumns<R, M> {
 
     /// Appends a particle that has been checked.
     pub fn push(&mut self, particle: Particle<R>) -> Result<u32, AddParticleError<R>> {
-        let full = AddParticleError::Full(particle);
+        self.push_columns(&particle).ok_or(AddParticleError::Full(particle))
+    }
+
+    fn push_columns(&mut self, particle: &Particle<R>) -> Option<u32> {
         let number = self.count();
         if number == u32::MAX {
-            return Err(full);
+            return None;
         }
         // Every column has the same capacity, so the first one to be pushed to decides for all.
-        self.particle_at.push(number).map_err(|_| full)?;
-        self.slot_of.push(number).map_err(|_| full)?;
-        self.incidence_end.push(0).map_err(|_| full)?;
-        self.rest.push(0).map_err(|_| full)?;
+        self.particle_at.push(number).ok()?;
+        self.slot_of.push(number).ok()?;
+        self.incidence_end.push(0).ok()?;
+        self.rest.push(0).ok()?;
         let free = particle.hold == Hold::Free;
-        self.mass.push(particle.mass).map_err(|_| full)?;
-        self.inverse_mass.push(if free { R::ONE / particle.mass } else { R::ZERO }).map_err(|_| full)?;
+        self.mass.push(particle.mass).ok()?;
+        self.inverse_mass.push(if free { R::ONE / particle.mass } else { R::ZERO }).ok()?;
         let velocity = if particle.hold == Hold::Pinned { [R::Coordinate::ZERO; 3].into() } else { particle.velocity };
         for state in &mut self.state {
-            state.push(particle.position, velocity).map_err(|_| full)?;
+            state.push(particle.position, velocity)?;
         }
-        Ok(number)
+        Some(number)
     }
 }
 
@@ -183,20 +201,23 @@ impl<R: Real, M: Storage> SpringColumns<R, M> {
 
     /// Appends a spring that has been checked, between two slots.
     pub fn push(&mut self, spring: Spring<R>, ends: [u32; 2]) -> Result<u32, AddSpringError<R>> {
-        let full = AddSpringError::Full(spring);
+        self.push_columns(&spring, ends).ok_or(AddSpringError::Full(spring))
+    }
+
+    fn push_columns(&mut self, spring: &Spring<R>, ends: [u32; 2]) -> Option<u32> {
         let number = self.count();
         // Each spring has two incidences, and those are counted in 32 bits.
         if number >= u32::MAX / 2 {
-            return Err(full);
+            return None;
         }
-        self.ends.push(ends).map_err(|_| full)?;
-        self.stiffness.push(spring.stiffness).map_err(|_| full)?;
-        self.damping.push(spring.damping).map_err(|_| full)?;
-        self.rest_length.push(spring.rest_length).map_err(|_| full)?;
-        self.incidences.push([Incidence::default(); 2]).map_err(|_| full)?;
-        self.number.push(number).map_err(|_| full)?;
-        self.pieces.push(0).map_err(|_| full)?;
-        self.presences.push([0; 2]).map_err(|_| full)?;
-        Ok(number)
+        self.ends.push(ends).ok()?;
+        self.stiffness.push(spring.stiffness).ok()?;
+        self.damping.push(spring.damping).ok()?;
+        self.rest_length.push(spring.rest_length).ok()?;
+        self.incidences.push([Incidence::default(); 2]).ok()?;
+        self.number.push(number).ok()?;
+        self.pieces.push(0).ok()?;
+        self.presences.push([0; 2]).ok()?;
+        Some(number)
     }
 }

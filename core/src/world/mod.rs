@@ -3,6 +3,7 @@
 mod clock;
 mod container;
 mod cuthill_mckee;
+mod dormancy;
 mod islands;
 mod layout;
 mod order;
@@ -11,6 +12,7 @@ mod plan;
 mod prepare;
 mod renumber;
 mod rest;
+mod sort;
 mod storage;
 mod view;
 

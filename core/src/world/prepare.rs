@@ -3,6 +3,7 @@
 //! It alone decides the order in which the forces on a particle are added: by slot (`order.rs`), whatever a step is
 //! shared among. It runs in place.
 
+use super::dormancy::Dormancy;
 use super::islands::arrange;
 use super::layout::{Incidence, ParticleColumns, SpringColumns};
 use super::renumber::{NEAR, Renumbered, renumber};
@@ -41,15 +42,20 @@ pub fn partition<R: Real, M: Storage>(
     particles: &mut ParticleColumns<R, M>,
     springs: &mut SpringColumns<R, M>,
     front: usize,
-    by_islands: bool,
+    dormancy: Option<Dormancy<R, M>>,
 ) -> Layout {
-    let by_number =
-        if by_islands { arrange(particles, springs, front, false) } else { attached_first(particles, springs) };
+    let by_number = match dormancy {
+        Some(Dormancy { arrange, .. }) => arrange(particles, springs, front, false),
+        None => attached_first(particles, springs),
+    };
     let mut layout = moved(by_number, particles, springs, front);
-    if springs.ends.items().iter().any(|[i, j]| i.abs_diff(*j) > NEAR) {
-        layout.renumbered = renumber_islands(particles, springs, front, by_islands, &layout);
+    // Where there is no room for as many particles, that is known when a program is compiled.
+    if M::MOST_PARTICLES > NEAR as usize + 1 && springs.ends.items().iter().any(|[i, j]| i.abs_diff(*j) > NEAR) {
+        layout.renumbered = renumber_islands(particles, springs, front, dormancy.is_some(), &layout);
     }
-    if layout.asleep > 0 {
+    if let Some(Dormancy { settle, .. }) = dormancy
+        && layout.asleep > 0
+    {
         settle(particles, layout.first_asleep(), front);
     }
     layout
@@ -93,7 +99,7 @@ fn moved<R: Real, M: Storage>(
 }
 
 /// Both states hold what sleeps, so that steps that leave it out need not copy it.
-fn settle<R: Real, M: Storage>(particles: &mut ParticleColumns<R, M>, first_asleep: u32, front: usize) {
+pub fn settle<R: Real, M: Storage>(particles: &mut ParticleColumns<R, M>, first_asleep: u32, front: usize) {
     let [a, b] = &mut particles.state;
     let (current, spare) = if front == 0 { (a, b) } else { (b, a) };
     spare.lend().keep(first_asleep, &current.lend());
@@ -139,14 +145,14 @@ fn permute<R: Real, M: Storage>(
     let scratch = scratch.items_mut();
     let state = current.position.iter_mut().chain(&mut current.velocity);
     for column in state.chain([mass, inverse_mass]) {
-        scatter(column.items(), new_slot, scratch);
-        column.items_mut().copy_from_slice(scratch);
+        permute_column(column.items_mut(), new_slot, scratch);
     }
-    let [scratch, _, _] = &mut spare.position_residual;
-    let scratch = scratch.items_mut();
-    for column in current.position_residual.iter_mut().chain(&mut current.velocity_residual) {
-        scatter(column.items(), new_slot, scratch);
-        column.items_mut().copy_from_slice(scratch);
+    if R::IS_COMPENSATED {
+        let [scratch, _, _] = &mut spare.position_residual;
+        let scratch = scratch.items_mut();
+        for column in current.position_residual.iter_mut().chain(&mut current.velocity_residual) {
+            permute_column(column.items_mut(), new_slot, scratch);
+        }
     }
     for slot in slot_of.items_mut() {
         *slot = at(new_slot, *slot);
@@ -159,9 +165,12 @@ fn permute<R: Real, M: Storage>(
     }
 }
 
-fn scatter<T: Copy>(from: &[T], new_slot: &[u32], to: &mut [T]) {
-    for (value, slot) in from.iter().zip(new_slot) {
-        put(to, *slot, *value);
+fn permute_column<T: Copy>(column: &mut [T], new_slot: &[u32], scratch: &mut [T]) {
+    for (value, slot) in column.iter().zip(new_slot) {
+        put(scratch, *slot, *value);
+    }
+    for (value, moved) in column.iter_mut().zip(scratch) {
+        core::mem::swap(value, moved);
     }
 }
 

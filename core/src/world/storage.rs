@@ -36,6 +36,9 @@ pub trait Storage {
     type Springs<T: Copy>: Column<T>;
     /// A column with an item for each plane.
     type Planes<T: Copy>: Column<T>;
+    /// How many particles there can be at most, where that is known: what only larger worlds need is then left out of a
+    /// program.
+    const MOST_PARTICLES: usize = usize::MAX;
 }
 
 /// Columns of `heapless`: the capacities are part of the type, and nothing is ever allocated.
@@ -46,6 +49,7 @@ impl<const PARTICLES: usize, const SPRINGS: usize, const PLANES: usize> Storage 
     type Particles<T: Copy> = heapless::Vec<T, PARTICLES>;
     type Springs<T: Copy> = heapless::Vec<T, SPRINGS>;
     type Planes<T: Copy> = heapless::Vec<T, PLANES>;
+    const MOST_PARTICLES: usize = PARTICLES;
 }
 
 impl<T: Copy, const CAPACITY: usize> Column<T> for heapless::Vec<T, CAPACITY> {
@@ -59,6 +63,7 @@ impl<T: Copy, const CAPACITY: usize> Column<T> for heapless::Vec<T, CAPACITY> {
         self
     }
 
+    #[cfg_attr(feature = "small", inline(never))]
     fn push(&mut self, item: T) -> Result<(), T> {
         self.push(item)
     }

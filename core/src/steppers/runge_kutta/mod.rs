@@ -88,7 +88,7 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
         let (mut spare, mut next) = (self.stage.lend(), next.lend());
         let mut accelerations = self.acceleration.each_mut().map(|columns| columns.each_mut().map(Column::items_mut));
         // What lies on planes is told by velocities too.
-        let with_velocity = system.plan.damped != Coverage::None || system.support;
+        let with_velocity = system.plan.damped != Coverage::None || system.support.is_some();
         let state = (current.carried_position(), current.carried_velocity());
         let mut known = [Columns::<R>::default(); STAGES];
         for (stage, fresh) in accelerations.iter_mut().enumerate() {
@@ -126,7 +126,7 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
             }
         }
         // What planes hold up follows from velocities that the last stage does not have.
-        let is_last_next = T::FIRST_SAME_AS_LAST && !view.system.support;
+        let is_last_next = T::FIRST_SAME_AS_LAST && view.system.support.is_none();
         self.epochs = [*view.epoch, if is_last_next { *view.epoch + 1 } else { 0 }];
     }
 }
