@@ -21,6 +21,7 @@ Examples:
   hooke run cloth.toml --out cloth.npz                    for numpy.load
   hooke run cloth.toml --out cloth.csv --out cloth.npz    both
   hooke run cloth.toml --out - --frame-rate 10            CSV to standard output
+  hooke run cloth.toml --digest                           one number for the last state, to compare machines
   hooke run cloth.toml --stepper velocity-verlet --time-step 1e-4 --precision f64
   hooke run cloth.toml --max-error 1e-4 --out cloth.npz   no particle farther than 0.1 mm from where it should be
 
@@ -134,6 +135,9 @@ pub(super) struct RunArguments {
     /// Threads that share the work of each step; the bits are the same with any number. Default: as many as the machine has where the scene is large enough to gain.
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<NonZeroU32>,
+    /// Print a digest of the last state, 16 hexadecimal digits, to standard output: the same wherever the bits are the same.
+    #[arg(long)]
+    pub(super) digest: bool,
     /// Do not keep the energy ledger, which costs two passes over the springs a step.
     #[arg(long)]
     pub(super) no_ledger: bool,
