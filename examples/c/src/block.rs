@@ -2,7 +2,7 @@
 #![allow(unsafe_code, reason = "worlds and arrays are pointers of the caller's")]
 
 use crate::arena::{Arena, Capacity};
-use crate::code::{HookeCode, NOBODY, Outcome};
+use crate::code::{HookeCode, HOOKE_NOBODY, Outcome};
 use crate::current;
 use crate::engine::{Engine, home_bytes};
 use crate::options::HookePrecision;
@@ -14,7 +14,7 @@ pub const HOOKE_ALIGNMENT: usize = 16;
 const MAGIC: u64 = 0x686f_6f6b_6520_7731;
 
 /// A world, in memory of the caller's.
-#[repr(C, align(16))]
+#[repr(align(16))]
 pub struct HookeWorld {
     magic: u64,
     /// The number of what the last error was about.
@@ -92,7 +92,7 @@ pub unsafe fn create(
     };
     let world = memory.cast::<HookeWorld>();
     // SAFETY: the memory is large enough, aligned, and the caller lends it.
-    unsafe { world.write(HookeWorld { magic: MAGIC, culprit: NOBODY, engine }) };
+    unsafe { world.write(HookeWorld { magic: MAGIC, culprit: HOOKE_NOBODY, engine }) };
     Ok(world)
 }
 
@@ -126,10 +126,10 @@ pub unsafe fn with(world: *mut HookeWorld, task: impl FnOnce(&mut AnyEngine) -> 
 /// As for [`with`].
 pub unsafe fn culprit(world: *const HookeWorld) -> u32 {
     if check(world, 1, HOOKE_ALIGNMENT).is_err() {
-        return NOBODY;
+        return HOOKE_NOBODY;
     }
     // SAFETY: it is aligned, and the caller says that it may be read.
-    unsafe { if (&raw const (*world).magic).read() == MAGIC { (*world).culprit } else { NOBODY } }
+    unsafe { if (&raw const (*world).magic).read() == MAGIC { (*world).culprit } else { HOOKE_NOBODY } }
 }
 
 /// Ends a world: its memory is the caller's again, and its address is refused from now on.

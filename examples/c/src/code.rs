@@ -63,7 +63,7 @@ pub enum HookeCode {
 }
 
 /// Where there is no particle, spring or plane to name.
-pub const NOBODY: u32 = u32::MAX;
+pub const HOOKE_NOBODY: u32 = u32::MAX;
 
 /// A code, and the number of the particle, spring or plane that it is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,7 +117,7 @@ impl HookeCode {
 
 impl From<HookeCode> for Wrong {
     fn from(code: HookeCode) -> Self {
-        Self { code, number: NOBODY }
+        Self { code, number: HOOKE_NOBODY }
     }
 }
 

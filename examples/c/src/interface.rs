@@ -46,7 +46,7 @@ pub extern "C" fn hooke_size_of(precision: u32, particles: u32, springs: u32, pl
 
 /// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option.
 ///
-/// Implicit steppers, and `HOOKE_AUTO` where it turns to one, solve their linear systems by a factorisation where that
+/// Implicit steppers, and `HOOKE_STEPPER_AUTO` where it turns to one, solve their linear systems by a factorisation where that
 /// is less work. A factor has blocks: as many as there are springs in ropes, chains and trees; about 8 times as many in a
 /// cloth of 64 x 64. With less room than it needs, a step is refused, unless `hooke_set_workspace` allowed doing without.
 #[unsafe(no_mangle)]
@@ -111,7 +111,7 @@ fn factor_bytes(real: usize, particles: usize, springs: usize, blocks: usize) ->
 }
 
 /// Makes a world in `size` bytes of memory, without anything in it, at 0 s. What `hooke_size_of` leaves of the memory is
-/// its workspace. It steps with `HOOKE_SEMI_IMPLICIT_EULER` and `HOOKE_REFLECT`, which need none.
+/// its workspace. It steps with `HOOKE_STEPPER_SEMI_IMPLICIT_EULER` and `HOOKE_COLLISION_REFLECT`, which need none.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn hooke_create(
     memory: *mut c_void,
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn hooke_add_particle(
     // SAFETY: as the header says.
     unsafe {
         with(world, |engine| {
-            write_if_asked(number, crate::code::NOBODY)?;
+            write_if_asked(number, crate::code::HOOKE_NOBODY)?;
             let hold = chosen(HookeHold::numbered(hold))?;
             let added = engine!(engine, engine => engine.add_particle([[x, y, z], [vx, vy, vz]], mass, hold))?;
             write_if_asked(number, added)
@@ -198,7 +198,7 @@ pub unsafe extern "C" fn hooke_add_particle(
 }
 
 /// Adds `count` particles: three positions (m) and three velocities (m/s) each, a mass (kg), a hold. A null pointer in
-/// place of velocities is 0 for all, of masses 1 kg, of holds `HOOKE_FREE`. After an error, those before the culprit are
+/// place of velocities is 0 for all, of masses 1 kg, of holds `HOOKE_HOLD_FREE`. After an error, those before the culprit are
 /// there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn hooke_add_particles(
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn hooke_add_spring(
     // SAFETY: as the header says.
     unsafe {
         with(world, |engine| {
-            write_if_asked(number, crate::code::NOBODY)?;
+            write_if_asked(number, crate::code::HOOKE_NOBODY)?;
             let spring = SpringGiven { between: [first, second], stiffness, damping, rest_length };
             let added = engine!(engine, engine => engine.add_spring(spring))?;
             write_if_asked(number, added)
@@ -301,7 +301,7 @@ pub unsafe extern "C" fn hooke_add_plane(
     // SAFETY: as the header says.
     unsafe {
         with(world, |engine| {
-            write_if_asked(number, crate::code::NOBODY)?;
+            write_if_asked(number, crate::code::HOOKE_NOBODY)?;
             let (point, normal) = ([x, y, z], [normal_x, normal_y, normal_z]);
             let added = engine!(engine, engine => engine.add_plane(point, normal, restitution))?;
             write_if_asked(number, added)

@@ -18,7 +18,7 @@ mod report;
 mod snapshot;
 
 pub use block::{HOOKE_ALIGNMENT, HookeWorld};
-pub use code::HookeCode;
+pub use code::{HOOKE_NOBODY, HookeCode};
 pub use interface::*;
 pub use options::{HookeCollision, HookeHold, HookePrecision, HookeStepper};
 pub use report::{HookeLedger, HookeReport};
