@@ -95,6 +95,107 @@ typedef int32_t hooke_code;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+// What a world's numbers are.
+enum hooke_precision
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // 32 bits.
+  HOOKE_PRECISION_F32 = 0,
+  // 64 bits.
+  HOOKE_PRECISION_F64 = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum hooke_precision hooke_precision;
+#else
+typedef uint32_t hooke_precision;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// The rule that makes a step. h = w dt, where w is the highest frequency of the world.
+enum hooke_stepper
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // v' = v + dt a(x, v), x' = x + dt v. First order; grows without damping.
+  HOOKE_STEPPER_EXPLICIT_EULER = 0,
+  // v' = v + dt a(x, v), x' = x + dt v'. First order, stable up to h = 2.
+  HOOKE_STEPPER_SEMI_IMPLICIT_EULER = 1,
+  // v' = v + dt a(x', v'), x' = x + dt v', solved to the tolerance. First order, stable.
+  HOOKE_STEPPER_IMPLICIT_EULER = 2,
+  // The same, by one linear solve. First order, stable on linear springs.
+  HOOKE_STEPPER_IMPLICIT_EULER_LINEARISED = 3,
+  // Second order, stable up to h = 2.
+  HOOKE_STEPPER_VELOCITY_VERLET = 4,
+  // The classical Runge-Kutta method. Fourth order, stable up to h = 2.6.
+  HOOKE_STEPPER_RK4 = 5,
+  // Blanes and Moan's splitting. Fourth order, stable up to h = 3.1.
+  HOOKE_STEPPER_BLANES_MOAN_S6 = 6,
+  // Dormand and Prince's Runge-Kutta method. Eighth order, stable up to h = 5.9.
+  HOOKE_STEPPER_DOP853 = 7,
+  // Their Nystroem method. Eighth order, stable up to h = 3.1; refuses springs with damping.
+  HOOKE_STEPPER_DORMAND_PRINCE_RKN8 = 8,
+  // Second order, stable, damps nothing; solved to the tolerance.
+  HOOKE_STEPPER_IMPLICIT_MIDPOINT = 9,
+  // Second order, stable, damps what is too fast; solved to the tolerance.
+  HOOKE_STEPPER_TR_BDF2 = 10,
+  // Free particles fly exactly; the rest by velocity Verlet, semi-implicit Euler or implicit Euler, the first of
+  // them that is stable.
+  HOOKE_STEPPER_AUTO = 11,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum hooke_stepper hooke_stepper;
+#else
+typedef uint32_t hooke_stepper;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// What happens when a step takes particles through planes.
+enum hooke_collision
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // The velocity is turned round after the step.
+  HOOKE_COLLISION_REFLECT = 0,
+  // The same, and the particle is put back on the plane.
+  HOOKE_COLLISION_PROJECT = 1,
+  // The hit is found inside the step, and the rest of the step is taken from there.
+  HOOKE_COLLISION_TIME_OF_IMPACT = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum hooke_collision hooke_collision;
+#else
+typedef uint32_t hooke_collision;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// How a particle is held.
+enum hooke_hold
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // It moves as the forces on it say.
+  HOOKE_HOLD_FREE = 0,
+  // It stays where it is.
+  HOOKE_HOLD_PINNED = 1,
+  // It moves with the velocity that it is given.
+  HOOKE_HOLD_KINEMATIC = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum hooke_hold hooke_hold;
+#else
+typedef uint32_t hooke_hold;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 // A world, in memory of the caller's.
 typedef struct hooke_world hooke_world;
 
@@ -312,6 +413,12 @@ hooke_code hooke_step(hooke_world *world,
                       uint32_t count,
                       hooke_report *report);
 
+// Writes the longest time step (s) at which a stepper is stable in the present state, as far as its springs tell:
+// infinite where nothing limits it. For explicit Euler it is only an upper limit.
+hooke_code hooke_stable_step(hooke_world *world,
+                             uint32_t stepper,
+                             double *dt);
+
 // The time of the state, s; NaN if there is no world.
 double hooke_time(hooke_world *world);
 
@@ -331,11 +438,10 @@ hooke_code hooke_open_ledger(hooke_world *world);
 // Writes what the ledger says; if none is open, what one would that has just been opened.
 hooke_code hooke_read_ledger(hooke_world *world, hooke_ledger *ledger);
 
-// Writes the longest time step (s) at which a stepper is stable in the present state, as far as its springs tell:
-// infinite where nothing limits it. For explicit Euler it is only an upper limit.
-hooke_code hooke_stable_step(hooke_world *world,
-                             uint32_t stepper,
-                             double *dt);
+// Writes one number for all positions and velocities, bit by bit: FNV-1a over them, by particle, as 64-bit numbers. It
+// is the same on every machine.
+hooke_code hooke_digest(hooke_world *world,
+                        uint64_t *digest);
 
 // The bytes of a snapshot of a world; 0 if there is no world.
 size_t hooke_snapshot_size(hooke_world *world);
@@ -352,11 +458,6 @@ hooke_code hooke_snapshot(hooke_world *world,
 hooke_code hooke_restore(hooke_world *world,
                          const uint8_t *bytes,
                          size_t size);
-
-// Writes one number for all positions and velocities, bit by bit: FNV-1a over them, by particle, as 64-bit numbers. It
-// is the same on every machine.
-hooke_code hooke_digest(hooke_world *world,
-                        uint64_t *digest);
 
 #ifdef __cplusplus
 }  // extern "C"

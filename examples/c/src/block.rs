@@ -2,7 +2,7 @@
 #![allow(unsafe_code, reason = "worlds and arrays are pointers of the caller's")]
 
 use crate::arena::{Arena, Capacity};
-use crate::code::{HookeCode, HOOKE_NOBODY, Outcome};
+use crate::code::{HOOKE_NOBODY, HookeCode, Outcome};
 use crate::current;
 use crate::engine::{Engine, home_bytes};
 use crate::options::HookePrecision;

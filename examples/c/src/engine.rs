@@ -212,7 +212,8 @@ impl<R: Real> Engine<R> {
     /// One of the springs.
     pub fn spring(&self, number: u32) -> Outcome<SpringGiven> {
         let found = self.world.springs().find(|(other, _)| *other == number);
-        let (_, Spring { between, stiffness, damping, rest_length }) = found.ok_or(HookeCode::NoSuchSpring.about(number))?;
+        let (_, Spring { between, stiffness, damping, rest_length }) =
+            found.ok_or(HookeCode::NoSuchSpring.about(number))?;
         let [stiffness, damping, rest_length] = [stiffness, damping, rest_length].map(Real::to_f64);
         Ok(SpringGiven { between, stiffness, damping, rest_length })
     }

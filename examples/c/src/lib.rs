@@ -10,6 +10,8 @@ mod block;
 mod code;
 mod current;
 mod engine;
+#[cfg(not(feature = "std"))]
+mod halt;
 mod interface;
 mod method;
 mod options;
@@ -22,10 +24,3 @@ pub use code::{HOOKE_NOBODY, HookeCode};
 pub use interface::*;
 pub use options::{HookeCollision, HookeHold, HookePrecision, HookeStepper};
 pub use report::{HookeLedger, HookeReport};
-
-/// No step panics; this is what the linker asks for.
-#[cfg(not(feature = "std"))]
-#[panic_handler]
-fn panicked(_: &core::panic::PanicInfo<'_>) -> ! {
-    halt()
-}

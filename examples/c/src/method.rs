@@ -37,7 +37,9 @@ impl<R: Real> AnyStepper<R> {
             HookeStepper::ExplicitEuler => Self::ExplicitEuler(ExplicitEuler),
             HookeStepper::SemiImplicitEuler => Self::SemiImplicitEuler(SemiImplicitEuler),
             HookeStepper::ImplicitEuler => Self::ImplicitEuler(ImplicitEuler::new(tolerance)),
-            HookeStepper::ImplicitEulerLinearised => Self::ImplicitEulerLinearised(ImplicitEulerLinearised::new(tolerance)),
+            HookeStepper::ImplicitEulerLinearised => {
+                Self::ImplicitEulerLinearised(ImplicitEulerLinearised::new(tolerance))
+            }
             HookeStepper::VelocityVerlet => Self::VelocityVerlet(VelocityVerlet::new()),
             HookeStepper::Rk4 => Self::Rk4(Rk4::new()),
             HookeStepper::BlanesMoanS6 => Self::BlanesMoanS6(BlanesMoanS6::new()),

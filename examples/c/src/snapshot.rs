@@ -215,7 +215,8 @@ impl<R: Real> Engine<R> {
         let header = Header::read(all, &extents).filter(|_| bytes.len() == self.snapshot_size());
         let header = header.ok_or(HookeCode::Snapshot)?;
         let [start, particles, springs, _] = extents.parts();
-        let (particles, springs, planes) = (all.at(start), all.at(start + particles), all.at(start + particles + springs));
+        let (particles, springs, planes) =
+            (all.at(start), all.at(start + particles), all.at(start + particles + springs));
         if !(are_states(particles, extents) && self.has_springs(springs, extents) && self.has_planes(planes)) {
             return Err(HookeCode::Snapshot.into());
         }

@@ -8,8 +8,10 @@ use std::path::Path;
 fn the_header_is_that_of_the_library() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let configuration = cbindgen::Config::from_file(folder.join("cbindgen.toml")).expect("its configuration is sound");
-    let sources = ["block.rs", "code.rs", "options.rs", "report.rs", "interface.rs"];
-    let builder = sources.iter().fold(cbindgen::Builder::new().with_config(configuration), |builder, source| {
+    let interface =
+        ["create.rs", "add.rs", "change.rs", "step.rs", "read.rs", "keep.rs"].map(|name| format!("interface/{name}"));
+    let sources = ["block.rs", "code.rs", "options.rs", "report.rs"].map(str::to_owned).into_iter().chain(interface);
+    let builder = sources.fold(cbindgen::Builder::new().with_config(configuration), |builder, source| {
         builder.with_src(folder.join("src").join(source))
     });
     let mut bytes = Vec::new();
@@ -20,7 +22,10 @@ fn the_header_is_that_of_the_library() {
         write(&file, &header).expect("it can be written");
     }
     let kept = read_to_string(file).expect("there is a header");
-    assert!(kept == header, "hooke.h is not that of the library: HOOKE_WRITE_HEADER=1 cargo test --features std --test header");
+    assert!(
+        kept == header,
+        "hooke.h is not that of the library: HOOKE_WRITE_HEADER=1 cargo test --features std --test header"
+    );
     for function in ["hooke_create", "hooke_step", "hooke_restore", "hooke_digest"] {
         assert!(header.contains(&format!("{function}(")), "{function}");
     }

@@ -58,9 +58,10 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// Naming the first spring whose new stiffness, damping or rest length is negative or not finite; none is changed then.
     pub fn change_springs(&mut self, change: impl Fn(u32, Spring<R>) -> Spring<R>) -> Result<(), SetError> {
         let valid = |value: R| value >= R::ZERO && value.is_finite();
-        let refused = self.springs().map(|(number, spring)| (number, change(number, spring))).filter(|(_, spring)| {
-            !(valid(spring.stiffness) && valid(spring.damping) && valid(spring.rest_length))
-        });
+        let refused = self
+            .springs()
+            .map(|(number, spring)| (number, change(number, spring)))
+            .filter(|(_, spring)| !(valid(spring.stiffness) && valid(spring.damping) && valid(spring.rest_length)));
         if let Some(number) = refused.map(|(number, _)| number).min() {
             return Err(SetError::Spring(number));
         }
