@@ -1,5 +1,7 @@
 //! The world as its user holds it.
 
+mod change;
+
 use super::clock::Clock;
 use super::dormancy::Dormancy;
 use super::layout::{ParticleColumns, SpringColumns};

@@ -1,0 +1,133 @@
+//! Changing what there is.
+#![allow(unsafe_code, reason = "this is the interface to another language")]
+#![allow(clippy::missing_safety_doc, reason = "the header says it once for all of them")]
+#![allow(clippy::too_many_arguments, reason = "vectors are three numbers")]
+
+use super::chosen;
+use crate::block::{HookeWorld, engine, with, write_if_asked};
+use crate::code::HookeCode;
+use crate::engine::SpringGiven;
+use crate::options::HookeHold;
+
+/// Sets the gravitational acceleration, m/s^2.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_gravity(world: *mut HookeWorld, x: f64, y: f64, z: f64) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_gravity([x, y, z]))) }
+}
+
+/// Puts a particle somewhere else (m).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_position(
+    world: *mut HookeWorld,
+    particle: u32,
+    x: f64,
+    y: f64,
+    z: f64,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_position(particle, [x, y, z]))) }
+}
+
+/// Gives a particle another velocity (m/s). A pinned particle becomes kinematic by it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_velocity(
+    world: *mut HookeWorld,
+    particle: u32,
+    x: f64,
+    y: f64,
+    z: f64,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_velocity(particle, [x, y, z]))) }
+}
+
+/// Pins a particle, lets it go, or makes it kinematic. One that is pinned loses its velocity.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_hold(world: *mut HookeWorld, particle: u32, hold: u32) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe {
+        with(world, |engine| {
+            let hold = chosen(HookeHold::numbered(hold))?;
+            engine!(engine, engine => engine.set_hold(particle, hold))
+        })
+    }
+}
+
+/// Puts a particle where it should be (m) with the velocity it should have (m/s), and makes it kinematic if it was free.
+/// Meant for every step.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_drive(
+    world: *mut HookeWorld,
+    particle: u32,
+    x: f64,
+    y: f64,
+    z: f64,
+    vx: f64,
+    vy: f64,
+    vz: f64,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe { with(world, |engine| engine!(engine, engine => engine.drive(particle, [x, y, z], [vx, vy, vz]))) }
+}
+
+/// Gives a spring other parameters: N/m, N s/m, m.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_spring(
+    world: *mut HookeWorld,
+    spring: u32,
+    stiffness: f64,
+    damping: f64,
+    rest_length: f64,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe {
+        with(world, |engine| {
+            let change = |spring| SpringGiven { stiffness, damping, rest_length, ..spring };
+            engine!(engine, engine => engine.set_springs(Some(spring), change))
+        })
+    }
+}
+
+/// What a spring's parameters are: N/m, N s/m, m. Each of the pointers may be null.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_spring(
+    world: *mut HookeWorld,
+    spring: u32,
+    stiffness: *mut f64,
+    damping: *mut f64,
+    rest_length: *mut f64,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe {
+        with(world, |engine| {
+            let found = engine!(engine, engine => engine.spring(spring))?;
+            write_if_asked(stiffness, found.stiffness)?;
+            write_if_asked(damping, found.damping)?;
+            write_if_asked(rest_length, found.rest_length)
+        })
+    }
+}
+
+/// Multiplies the stiffness and the damping of all springs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_scale_springs(world: *mut HookeWorld, stiffness: f64, damping: f64) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe {
+        with(world, |engine| {
+            let change = |spring: SpringGiven| SpringGiven {
+                stiffness: spring.stiffness * stiffness,
+                damping: spring.damping * damping,
+                ..spring
+            };
+            engine!(engine, engine => engine.set_springs(None, change))
+        })
+    }
+}
+
+/// Sets the restitution of a plane, from 0 to 1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_restitution(world: *mut HookeWorld, plane: u32, restitution: f64) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_restitution(plane, restitution))) }
+}
