@@ -15,7 +15,7 @@ use super::lattice::Common;
 /// Free particles, evenly spread over a box, at the same places on every machine.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in crate::scene) struct Cloud {
+pub(crate) struct Cloud {
     /// A corner of the box, m.
     corner: [f64; 3],
     /// From that corner to the one across, m.

@@ -20,7 +20,7 @@ use super::lattice::{Common, Lattice};
 /// All are at rest at the start.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in crate::scene) struct Cloth {
+pub(crate) struct Cloth {
     /// Where its particle \[0, 0\] is, m.
     corner: [f64; 3],
     /// From the corner along the whole of side u, m.

@@ -55,6 +55,7 @@ impl Size {
 }
 
 /// Bytes that this process may still take; as good as endless where the system does not say.
+#[cfg(feature = "desktop")]
 pub(super) fn available_memory() -> u64 {
     let refresh = sysinfo::RefreshKind::nothing().with_memory(sysinfo::MemoryRefreshKind::nothing().with_ram());
     let Ok(system) = sysinfo::System::new_with_specifics(refresh) else {

@@ -44,6 +44,7 @@ macro_rules! choice {
             }
         }
 
+        #[cfg(feature = "desktop")]
         impl clap::ValueEnum for $choice {
             fn value_variants<'a>() -> &'a [Self] {
                 Self::ALL

@@ -4,32 +4,32 @@ use std::fmt;
 
 /// One step from a table or a list to what it holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::scene) enum Step {
+pub(crate) enum Step {
     Key(String),
     Index(usize),
 }
 
 /// The steps from the top of a scene to a value in it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::scene) struct KeyPath {
+pub(crate) struct KeyPath {
     /// Innermost first, because paths are built while an error travels outwards.
     inner_first: Vec<Step>,
 }
 
 impl KeyPath {
     /// The value of a key at the top.
-    pub(in crate::scene) fn key(key: &str) -> Self {
+    pub(crate) fn key(key: &str) -> Self {
         Self::default().inside_key(key)
     }
 
     /// The same place, seen from the table that holds it under `key`.
-    pub(in crate::scene) fn inside_key(mut self, key: &str) -> Self {
+    pub(crate) fn inside_key(mut self, key: &str) -> Self {
         self.inner_first.push(Step::Key(key.to_owned()));
         self
     }
 
     /// The same place, seen from the list that holds it at `index`.
-    pub(in crate::scene) fn inside_index(mut self, index: usize) -> Self {
+    pub(crate) fn inside_index(mut self, index: usize) -> Self {
         self.inner_first.push(Step::Index(index));
         self
     }
@@ -45,7 +45,8 @@ impl KeyPath {
     }
 
     /// The flag that sets this key from the command line.
-    pub(in crate::scene) fn flag(&self) -> String {
+    #[cfg(feature = "desktop")]
+    pub(crate) fn flag(&self) -> String {
         format!("--{}", self.to_string().replace('_', "-"))
     }
 }

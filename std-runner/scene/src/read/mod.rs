@@ -3,6 +3,8 @@
 //! TOML and JSON become the same tree, so a scene means the same, and is refused in the same words, in both.
 
 mod deserialize;
+#[cfg(feature = "desktop")]
+mod files;
 mod json;
 mod key_path;
 mod source;
@@ -10,5 +12,8 @@ mod toml;
 mod tree;
 mod words;
 
+#[cfg(feature = "desktop")]
+pub(super) use files::text_of_file;
 pub(super) use key_path::KeyPath;
-pub(super) use source::{Source, read_text};
+pub use source::Unreadable;
+pub(super) use source::{Source, Texts};

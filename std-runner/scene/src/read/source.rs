@@ -1,8 +1,6 @@
 //! A scene file as it was read, kept to point at its lines.
 
 use std::fmt;
-use std::fs::File;
-use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,17 +18,29 @@ enum Format {
     Json,
 }
 
+/// Why there is no text of a file.
+#[derive(Clone, Debug)]
+pub struct Unreadable {
+    /// Such as `cannot read a mesh here: …`.
+    pub message: String,
+    /// What to do about it.
+    pub remedy: String,
+}
+
+/// Gives the text of the file at a path, given what that file should be.
+pub(crate) type Texts<'a> = &'a mut dyn FnMut(&Path, &str) -> Result<Arc<str>, Unreadable>;
+
 /// A scene's text.
 #[derive(Clone, Debug)]
-pub(in crate::scene) struct Source {
+pub(crate) struct Source {
     path: PathBuf,
     text: Arc<str>,
     format: Format,
 }
 
 impl Source {
-    /// Reads the file at `path`, in the format that its ending says.
-    pub(in crate::scene) fn load(path: &Path) -> Result<Self, SceneError> {
+    /// The text of the file at `path` as `text` gives it, in the format that its ending says.
+    pub(crate) fn of(path: &Path, text: Texts<'_>) -> Result<Self, SceneError> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let format = match ending.as_str() {
             "toml" => Format::Toml,
@@ -43,18 +53,20 @@ impl Source {
                 ));
             }
         };
-        let text = read_text(path, "a scene")
-            .map_err(|(message, remedy)| SceneError::plain(path.display(), message, remedy))?;
+        let text = text(path, "a scene")
+            .map_err(|Unreadable { message, remedy }| SceneError::plain(path.display(), message, remedy))?;
+        // Some editors begin a file with a mark that no format here knows.
+        let text = text.strip_prefix('\u{feff}').map_or_else(|| Arc::clone(&text), Arc::from);
         Ok(Self { path: path.to_owned(), text, format })
     }
 
     /// The file.
-    pub(in crate::scene) fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
     /// What the text says.
-    pub(in crate::scene) fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
+    pub(crate) fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
         let tree = self.tree().map_err(|refusal| self.refused(refusal))?;
         if matches!(&tree.value, Value::Table(entries) if entries.is_empty()) {
             return Err(SceneError::plain(
@@ -67,7 +79,7 @@ impl Source {
     }
 
     /// The problem, with the line that it is on.
-    pub(in crate::scene) fn problem(&self, problem: Problem) -> SceneError {
+    pub(crate) fn problem(&self, problem: Problem) -> SceneError {
         // Read again rather than kept: a tree is several times the size of its text, and most scenes have no problem.
         let span = self.tree().ok().map(|tree| tree.locate(&problem.path));
         self.refused(Refusal {
@@ -92,44 +104,6 @@ impl Source {
             Format::Json => json::parse(&self.text),
         }
     }
-}
-
-/// No scene or mesh is longer than this, bytes: what is read on and on is none.
-const LONGEST: u64 = 1 << 28;
-
-/// The text of a file, or what is wrong with it and what to do; `what` says what the file should be.
-pub(in crate::scene) fn read_text(path: &Path, what: &str) -> Result<Arc<str>, (String, String)> {
-    let bytes = read(path).map_err(|error| {
-        let remedy = match error.kind() {
-            io::ErrorKind::NotFound => "check the spelling, and the folder it is looked for in",
-            _ if path.is_dir() => "name a file, not a folder",
-            io::ErrorKind::FileTooLarge => {
-                "check that it is the file you mean; make large scenes of ropes, cloths, blocks and clouds"
-            }
-            _ => "check that the file may be read",
-        };
-        (format!("cannot read {what} here: {error}"), remedy.to_owned())
-    })?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let offset = error.utf8_error().valid_up_to();
-        let byte = error.as_bytes().get(offset).copied().unwrap_or_default();
-        (format!("not UTF-8 text: byte {offset} is 0x{byte:02x}"), format!("save it as UTF-8, if it is {what} at all"))
-    })?;
-    // Some editors begin a file with a mark that no format here knows.
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).into())
-}
-
-fn read(path: &Path) -> io::Result<Vec<u8>> {
-    let file = File::open(path)?;
-    let too_long = || io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {} MiB", LONGEST >> 20));
-    // What a device or a pipe holds is only known once it has been read.
-    let length = file.metadata()?.len();
-    if length > LONGEST {
-        return Err(too_long());
-    }
-    let mut bytes = Vec::with_capacity(length as usize);
-    file.take(LONGEST + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LONGEST { Err(too_long()) } else { Ok(bytes) }
 }
 
 impl Refusal {

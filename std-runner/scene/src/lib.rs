@@ -1,4 +1,6 @@
 //! Scene files: read from TOML or JSON, checked, and made into the flat [`Model`].
+//!
+//! Without the feature `desktop` it touches nothing of the machine: texts come from the caller.
 
 mod checks;
 mod error;
@@ -6,8 +8,10 @@ mod excerpt;
 mod file;
 mod generators;
 mod max_error;
+pub mod model;
 mod names;
 mod obj;
+#[cfg(feature = "desktop")]
 mod overrides;
 mod particle;
 mod plane;
@@ -20,21 +24,24 @@ mod spring;
 mod starters;
 mod time_step;
 
+use std::ops::Add;
 use std::path::Path;
+use std::sync::Arc;
 
-use crate::model::Model;
+use model::Model;
 
 use error::Problem;
 use file::SceneFile;
 use generators::{Generator, Mesh};
 use read::Source;
 use size::Size;
-use std::ops::Add;
 
 pub use error::SceneError;
 pub use max_error::MaxError;
 pub use names::{CollisionForm, Precision, StepperName};
+#[cfg(feature = "desktop")]
 pub use overrides::Overrides;
+pub use read::Unreadable;
 pub use schema::schema;
 pub use settings::Settings;
 pub use starters::Starter;
@@ -54,15 +61,28 @@ impl Scene {
     ///
     /// # Errors
     /// If anything in it cannot be run; the error names the place, the value and the remedy.
+    #[cfg(feature = "desktop")]
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let source = Source::load(path)?;
+        Self::of(path, &mut read::text_of_file)
+    }
+
+    /// Reads and checks the scene at `path`, whose ending says the format, where `text` gives the text of it and of the
+    /// mesh files that it names, told what each file should be.
+    ///
+    /// # Errors
+    /// As if the texts stood in files.
+    pub fn of(
+        path: &Path,
+        text: &mut dyn FnMut(&Path, &str) -> Result<Arc<str>, Unreadable>,
+    ) -> Result<Self, SceneError> {
+        let source = Source::of(path, text)?;
         let mut file: SceneFile = source.parse()?;
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = source.path().file_stem().unwrap_or_default().to_string_lossy();
         let settings = file.settings(&stem);
         let meshes = std::mem::take(&mut file.mesh)
             .into_iter()
             .enumerate()
-            .map(|(index, entry)| entry.load(index, &source))
+            .map(|(index, entry)| entry.load(index, &source, text))
             .collect::<Result<_, _>>()?;
         let scene = Self { settings, file, meshes, source };
         scene.check().map_err(|problem| scene.source.problem(problem))?;
@@ -79,6 +99,7 @@ impl Scene {
     ///
     /// # Errors
     /// If one of them cannot be run; the error names its flag, and nothing is changed.
+    #[cfg(feature = "desktop")]
     pub fn apply(&mut self, overrides: &Overrides) -> Result<(), SceneError> {
         self.settings = self.settings.with(overrides)?;
         Ok(())
@@ -88,6 +109,7 @@ impl Scene {
     ///
     /// # Errors
     /// If they are more than 2³² − 1, or need more memory than is available.
+    #[cfg(feature = "desktop")]
     pub fn model(&self) -> Result<Model, SceneError> {
         self.model_within(size::available_memory())
     }

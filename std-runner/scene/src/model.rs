@@ -55,6 +55,47 @@ pub struct Track {
     pub keys: Vec<(f64, [f64; 3])>,
 }
 
+impl Track {
+    /// Where it is at a time, m: before the first key and after the last it stands still.
+    #[must_use]
+    pub fn position(&self, time: f64) -> [f64; 3] {
+        match self.around(time) {
+            (Some((t_0, x_0)), Some((t_1, x_1))) => {
+                let s = (time - t_0) / (t_1 - t_0);
+                let mut position = x_0;
+                for (component, (a, b)) in position.iter_mut().zip(x_0.into_iter().zip(x_1)) {
+                    *component = a + s * (b - a);
+                }
+                position
+            }
+            (Some((_, x)), None) | (None, Some((_, x))) => x,
+            (None, None) => [0.0; 3],
+        }
+    }
+
+    /// How fast it moves at a time between keys, m/s.
+    #[must_use]
+    pub fn velocity(&self, time: f64) -> [f64; 3] {
+        match self.around(time) {
+            (Some((t_0, x_0)), Some((t_1, x_1))) => {
+                let mut velocity = x_1;
+                for (component, before) in velocity.iter_mut().zip(x_0) {
+                    *component = (*component - before) / (t_1 - t_0);
+                }
+                velocity
+            }
+            _ => [0.0; 3],
+        }
+    }
+
+    /// The last key at or before a time, and the first after it.
+    #[expect(clippy::type_complexity, reason = "two keys")]
+    fn around(&self, time: f64) -> (Option<(f64, [f64; 3])>, Option<(f64, [f64; 3])>) {
+        let after = self.keys.partition_point(|(key, _)| *key <= time);
+        (after.checked_sub(1).and_then(|before| self.keys.get(before).copied()), self.keys.get(after).copied())
+    }
+}
+
 /// Particles, springs and planes, numbered as the scene file says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {

@@ -142,6 +142,7 @@ impl Problem {
     }
 
     /// As the fault of a flag on the command line.
+    #[cfg(feature = "desktop")]
     pub(super) fn of_flag(self) -> SceneError {
         let message = self.message(&self.path.flag());
         SceneError::plain("", message, self.remedy)

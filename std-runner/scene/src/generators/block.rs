@@ -19,7 +19,7 @@ use super::lattice::{Common, Lattice};
 /// and the diagonals of the body, all at rest at the start. The springs of each direction are numbered together.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in crate::scene) struct Block {
+pub(crate) struct Block {
     /// Where its particle \[0, 0, 0\] is, m.
     corner: [f64; 3],
     /// From the corner to the one across, m.

@@ -17,7 +17,7 @@ use super::lattice::{Common, Lattice};
 /// A straight row of evenly spaced particles; a spring joins each to the next, at rest at the start.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in crate::scene) struct Rope {
+pub(crate) struct Rope {
     /// Where its first particle is, m.
     from: [f64; 3],
     /// Where its last particle is, m.

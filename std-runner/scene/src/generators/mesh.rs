@@ -11,7 +11,7 @@ use super::super::checks;
 use super::super::error::{Problem, SceneError};
 use super::super::obj::Shape;
 use super::super::particle::one_kilogram;
-use super::super::read::Source;
+use super::super::read::{Source, Texts, Unreadable};
 use super::super::size::Size;
 use super::super::spring::Law;
 use super::Generator;
@@ -20,7 +20,7 @@ use super::lattice::Common;
 /// A mesh: every vertex becomes a particle, every edge of a face or a line one spring, at rest at the start.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in crate::scene) struct MeshEntry {
+pub(crate) struct MeshEntry {
     /// An OBJ file; its path is relative to the scene's folder.
     file: String,
     /// kg, of each particle, more than 0.
@@ -47,14 +47,14 @@ pub(in crate::scene) struct MeshEntry {
 
 /// A mesh and the shape that its file holds.
 #[derive(Clone, Debug)]
-pub(in crate::scene) struct Mesh {
+pub(crate) struct Mesh {
     entry: MeshEntry,
     shape: Shape,
 }
 
 impl MeshEntry {
-    /// Reads the file of mesh number `index` of that scene.
-    pub(in crate::scene) fn load(self, index: usize, scene: &Source) -> Result<Mesh, SceneError> {
+    /// Reads the file of mesh number `index` of that scene, from the text that `text` gives of it.
+    pub(crate) fn load(self, index: usize, scene: &Source, text: Texts<'_>) -> Result<Mesh, SceneError> {
         let refused = |rule: &str, remedy: &str| {
             scene.problem(Problem::new("file", &self.file, rule, remedy).inside_item("mesh", index))
         };
@@ -64,7 +64,7 @@ impl MeshEntry {
         if ending != "obj" {
             return Err(refused("only OBJ meshes are read, in files named `….obj`", "save the mesh as OBJ"));
         }
-        let text = super::super::read::read_text(&path, "a mesh").map_err(|(message, remedy)| {
+        let text = text(&path, "a mesh").map_err(|Unreadable { message, remedy }| {
             refused(
                 &format!("{}: {message}", path.display()),
                 &format!("{remedy}; paths are relative to the scene's folder"),
