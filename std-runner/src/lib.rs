@@ -6,10 +6,12 @@ pub mod bench;
 pub mod chart;
 pub mod cli;
 pub mod draw;
-pub mod model;
 pub mod record;
 pub mod report;
-pub mod scene;
 pub mod simulate;
 pub mod stress;
 mod units;
+pub mod view;
+
+pub use hooke_scene as scene;
+pub use hooke_scene::model;

@@ -84,6 +84,16 @@ is judged against something that the stepper has no part in: a closed form, an i
 Ctrl-C ends it; what has been measured is told.
 Exit codes: 0 done, 1 a run went wrong in silence, which is a defect of Hooke, 2 the input is wrong, 130 interrupted.";
 
+const VIEW_EXAMPLES: &str = "\
+Examples:
+  hooke view cloth.toml                                 in the browser, as it is simulated
+  hooke view cloth.toml --stepper explicit-euler        with flags, as `hooke run` has them
+  hooke view cloth.toml --no-open --port 8080           for a browser that you open yourself
+
+The page shows the run of this program, frame by frame, as it is made; beside it, or in its place, the page steps the scene
+itself, by any stepper, with the same bits. Only browsers of this machine are answered. Ctrl-C ends it.
+Exit codes: 0 ended, 1 the port is taken, 2 the input is wrong.";
+
 const NEW_EXAMPLES: &str = "\
 Examples:
   hooke new cloth                 writes cloth.toml
@@ -112,6 +122,9 @@ pub(super) enum Verb {
     /// Measure numerical stability: largest stable time steps, what happens past them, and a battery of hard cases.
     #[command(after_help = STRESS_EXAMPLES)]
     Stress(StressArguments),
+    /// See a scene move in the browser, while it is simulated.
+    #[command(after_help = VIEW_EXAMPLES)]
+    View(ViewArguments),
     /// Write a scene to start from.
     #[command(after_help = NEW_EXAMPLES)]
     New(NewArguments),
@@ -191,6 +204,20 @@ pub(super) struct StressArguments {
     /// Take 100 times as many steps in the battery's runs of a scene, and up to 10 million where drift is looked for. This takes hours.
     #[arg(long)]
     pub(super) thorough: bool,
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct ViewArguments {
+    /// The scene file, TOML or JSON.
+    pub(super) scene: PathBuf,
+    /// The port to serve the page on, of this machine alone. Default: one that is free.
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub(super) port: u16,
+    /// Do not open the browser; the address is printed.
+    #[arg(long)]
+    pub(super) no_open: bool,
+    #[command(flatten, next_help_heading = "In place of what the scene says")]
+    pub(super) overrides: Overrides,
 }
 
 #[derive(Clone, Debug, clap::Args)]
