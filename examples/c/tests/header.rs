@@ -1,4 +1,5 @@
 //! The header says what the library has.
+#![allow(clippy::expect_used, reason = "a test fails where it cannot go on")]
 
 use std::fs::{read_to_string, write};
 use std::path::Path;

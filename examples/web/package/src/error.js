@@ -6,11 +6,14 @@ const NAMES = [
   "normal", "restitution", "time-step", "tolerance", "damped", "workspace", "non-finite", "length", "snapshot", "busy",
 ];
 
+// Where the module names no particle, spring or plane.
+export const NOBODY = 0xffffffff;
+
 export const WORKSPACE = NAMES.indexOf("workspace");
 
 // Those whose number is not a particle's.
 const ABOUT = { "no-such-spring": "spring", stiffness: "spring", damping: "spring", "rest-length": "spring",
-  "same-particle": "spring", "no-such-plane": "plane", normal: "plane", restitution: "plane" };
+  "no-such-plane": "plane", normal: "plane", restitution: "plane" };
 
 export class HookeError extends Error {
   /**
@@ -31,7 +34,7 @@ export class HookeError extends Error {
 // The error of a code that a call came to, about what `number` tells, where it tells anything.
 export function wrong(code, words, number, of) {
   const name = NAMES[code] ?? "unknown";
-  if (number === 0xffffffff) return new HookeError(name, words);
+  if (number === NOBODY) return new HookeError(name, words);
   const what = of ?? ABOUT[name] ?? "particle";
   return new HookeError(name, `${what} ${number}: ${words}`, { [what]: number });
 }

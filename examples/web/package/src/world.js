@@ -1,6 +1,6 @@
 // A world: one block of the module's memory, and a workspace for what steps it.
 
-import { HookeError, WORKSPACE, wrong } from "./error.js";
+import { HookeError, NOBODY, WORKSPACE, wrong } from "./error.js";
 import { distance, flatParticles, flatSprings, holdNumber, isCapacity } from "./model.js";
 import { COLLISIONS, HOLDS, STEPPERS } from "./names.js";
 import { LEDGER, REPORT, both, readLedger, readReport } from "./report.js";
@@ -180,12 +180,12 @@ export class World {
   get particles() { return this.#particles; }
   get springs() { return this.#springs; }
   get time() { return this.#call.hooke_time(this.#alive()); }
-  get positions() { return this.#views_()[0]; }
-  get velocities() { return this.#views_()[1]; }
-  get interpolated() { return this.#views_()[2]; }
+  get positions() { return this.#seen()[0]; }
+  get velocities() { return this.#seen()[1]; }
+  get interpolated() { return this.#seen()[2]; }
 
   /** Positions, velocities, what is between, and where everything was before the last step. */
-  #views_() {
+  #seen() {
     this.#alive();
     if (this.#columns === undefined || this.#buffer !== this.#memory.buffer) {
       this.#buffer = this.#memory.buffer;
@@ -204,7 +204,7 @@ export class World {
   /** Something has been put somewhere: nothing is between that and where it was. */
   #placed() {
     this.#read();
-    const [positions, , between, before] = this.#views_();
+    const [positions, , between, before] = this.#seen();
     before.set(positions);
     between.set(positions);
   }
@@ -214,7 +214,7 @@ export class World {
   step(count = 1) {
     this.#owed = 0;
     const report = this.#steps(count);
-    const [positions, , between] = this.#views_();
+    const [positions, , between] = this.#seen();
     between.set(positions);
     return report;
   }
@@ -228,7 +228,7 @@ export class World {
     const report = this.#steps(count);
     this.#owed = owed;
     const part = Math.min(1, owed / dt);
-    const [positions, , between, before] = this.#views_();
+    const [positions, , between, before] = this.#seen();
     for (let place = 0; place < positions.length; place++) {
       between[place] = before[place] + part * (positions[place] - before[place]);
     }
@@ -241,7 +241,7 @@ export class World {
     if (count > 1) report = this.#run(count - 1);
     if (count > 0) {
       if (count > 1) this.#read();
-      const [positions, , , before] = this.#views_();
+      const [positions, , , before] = this.#seen();
       before.set(positions);
       report = both(report, this.#run(1));
       this.#read();
@@ -291,6 +291,7 @@ export class World {
 
   drive(particle, [x, y, z], [u, v, w]) {
     this.#check(this.#call.hooke_drive(this.#alive(), particle, x, y, z, u, v, w));
+    this.#read();
   }
 
   spring(number) {
@@ -385,6 +386,8 @@ export class World {
     const start = this.#call.hooke_message(code) >>> 0;
     const words = ENCODED.decode(bytes.subarray(start, bytes.indexOf(0, start)));
     const culprit = this.#call.hooke_culprit(this.#world) >>> 0;
-    throw wrong(code, words, culprit === 0xffffffff && of === undefined ? culprit : first + (of === "plane" ? 0 : culprit), of);
+    // Planes are handed over one by one: which one it is nobody in there knows.
+    const number = of === "plane" ? first : culprit === NOBODY ? culprit : first + culprit;
+    throw wrong(code, words, number, of);
   }
 }
