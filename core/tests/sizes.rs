@@ -16,6 +16,7 @@ type Example = Fixed<100, 200, 1>;
 /// Bytes of whatever `of` measures, in each precision.
 macro_rules! sizes {
     ($R:ident => $size:expr) => {{
+        #[allow(clippy::extra_unused_type_parameters, reason = "some have no numbers in them")]
         fn size<$R: Real>() -> usize {
             $size
         }

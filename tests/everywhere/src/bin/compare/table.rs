@@ -3,7 +3,7 @@
 use hooke_everywhere::Precision;
 
 use crate::difference::first_difference;
-use crate::machine::Machine;
+use crate::machine::{Answer, Machine};
 
 /// So many of a machine's differences are looked into.
 const EXPLAINED: usize = 3;
@@ -13,7 +13,7 @@ pub struct Table<'a> {
     /// A column of answers each.
     pub machines: &'a [Machine],
     /// By machine, a line a row.
-    pub answers: &'a [Vec<String>],
+    pub answers: &'a [Vec<Answer>],
     /// A line a row.
     pub golden: &'a Vec<String>,
 }
@@ -30,9 +30,12 @@ impl Table<'_> {
             let mut cells = String::new();
             for precision in Precision::ALL {
                 let of_it = |row: &&(usize, &String)| row.1.split(' ').nth(2) == Some(precision.name());
-                let rows: Vec<_> = self.golden.iter().enumerate().collect();
-                let (right, others): (Vec<_>, Vec<_>) =
-                    rows.iter().filter(of_it).partition(|(number, row)| answer.get(*number) == Some(row));
+                let asked = |number: &usize| !matches!(answer.get(*number), Some(None));
+                let rows: Vec<_> = self.golden.iter().enumerate().filter(|(number, _)| asked(number)).collect();
+                let (right, others): (Vec<_>, Vec<_>) = rows
+                    .iter()
+                    .filter(of_it)
+                    .partition(|(number, row)| answer.get(*number).and_then(Option::as_ref) == Some(row));
                 let all = right.len() + others.len();
                 cells += &format!("{:>16}", format!("{}/{all}", right.len()));
                 counts = (counts.0 + right.len(), counts.1 + others.len());
@@ -67,7 +70,7 @@ impl Table<'_> {
                     .machines
                     .iter()
                     .zip(self.answers)
-                    .find(|(_, answer)| answer.get(*number).map(String::as_str) == Some(row));
+                    .find(|(_, answer)| answer.get(*number).and_then(Option::as_deref) == Some(row));
                 let told = match right {
                     Some((right, _)) => first_difference(&name, machine, right).unwrap_or_else(|error| error),
                     None => "no machine has the golden bits: what is computed has changed, on all of them".to_owned(),
