@@ -50,7 +50,8 @@ fn record(criterion: &mut Criterion) {
     let model = scene.model().expect("a scene that fits");
     let folder = tempfile::tempdir().expect("a place for recordings");
     let interrupted = AtomicBool::new(false);
-    let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+    let options =
+        Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
     let mut group = criterion.benchmark_group("record");
     for steps_a_frame in [1, 10] {
         let settings = settings(&scene, f64::from(steps_a_frame));

@@ -11,6 +11,7 @@ pub mod report;
 pub mod simulate;
 pub mod stress;
 mod units;
+pub mod view;
 
 pub use hooke_scene as scene;
 pub use hooke_scene::model;

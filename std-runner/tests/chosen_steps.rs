@@ -59,7 +59,8 @@ fn seen(model: &Model, settings: &Settings) -> (Seen, Summary) {
     let kept = Arc::new(Mutex::new(Seen::new()));
     let begin = |_: &_| Ok(vec![Box::new(Keep(Arc::clone(&kept))) as BoxedRecorder<f64>]);
     let interrupted = AtomicBool::new(false);
-    let options = Options { ledger: true, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+    let options =
+        Options { ledger: true, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
     let summary = run::<f64>(model, settings, begin, &options).unwrap();
     let seen = std::mem::take(&mut *kept.lock().unwrap());
     (seen, summary)

@@ -102,3 +102,42 @@ fn hits_and_exact_flight_are_told() {
     let answer = folder.hooke(&["run", "scene.toml"]).exits(0);
     answer.tells(&["60 from frame to frame", "hits", "spring forces: there are no springs", "lost in impacts"]);
 }
+
+#[test]
+fn the_digest_is_one_line_that_tells_the_last_state() {
+    let folder = Folder::with(ROPE);
+    let digest = |more: &[&str]| {
+        let answer = folder.hooke(&[&["run", "scene.toml", "--digest"], more].concat()).exits(0);
+        let line = answer.output();
+        let digest = line.strip_suffix('\n').unwrap().to_owned();
+        assert!(digest.len() == 16 && digest.chars().all(|digit| digit.is_ascii_hexdigit()), "{line:?}");
+        answer.tells(&["digest", &digest]);
+        digest
+    };
+    let expected = digest(&[]);
+    // What is recorded, kept or shared among threads does not concern the state.
+    for same in [&["--no-ledger"][..], &["--threads", "2"], &["--frame-rate", "17", "--out", "a.csv"]] {
+        assert_eq!(digest(same), expected, "{same:?}");
+    }
+    for other in [["--duration", "0.099"], ["--precision", "f64"], ["--gravity", "0,0,-9.8100000000001"]] {
+        let is_same = digest(&other) == expected;
+        // This gravity is the same number in f32.
+        assert_eq!(is_same, other[0] == "--gravity", "{other:?}");
+    }
+    assert!(!folder.hooke(&["run", "scene.toml"]).exits(0).error().contains("digest"));
+}
+
+#[test]
+fn the_digest_and_frames_do_not_share_standard_output() {
+    let folder = Folder::with(ROPE);
+    let answer = folder.hooke(&["run", "scene.toml", "--digest", "--out", "-"]).exits(2);
+    answer.prints_nothing().tells(&["--digest and --out -", "--out FILE.csv"]);
+}
+
+#[test]
+fn a_run_to_an_accuracy_has_a_digest() {
+    let folder = Folder::with(ROPE);
+    let run = || folder.hooke(&["run", "scene.toml", "--max-error", "1e-4", "--digest"]).exits(0).output();
+    let digest = run();
+    assert_eq!((digest.len(), run()), (17, digest));
+}

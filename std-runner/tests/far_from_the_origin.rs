@@ -65,7 +65,13 @@ fn end(away: [f64; 3]) -> Vec<[f64; 3]> {
     let mut file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
     file.write_all(SETTINGS.as_bytes()).unwrap();
     let scene = Scene::load(file.path()).unwrap();
-    let options = Options { ledger: false, threads: Some(1), interrupted: &AtomicBool::new(false), progress: &Nobody };
+    let options = Options {
+        ledger: false,
+        digest: false,
+        threads: Some(1),
+        interrupted: &AtomicBool::new(false),
+        progress: &Nobody,
+    };
     run::<f32>(&model(away), scene.settings(), |_| Ok(vec![recorder]), &options).unwrap();
     let last = last.lock().unwrap();
     last.clone()

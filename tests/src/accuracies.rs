@@ -102,7 +102,8 @@ impl Known {
     pub fn run(&self, asked: &MaxError) -> Kept {
         let states = Keep::default();
         let interrupted = AtomicBool::new(false);
-        let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+        let options =
+            Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
         let ran = run(&self.model, &self.settings, asked, &states, &options).expect("a run");
         let within = ran.expect("nobody interrupts it");
         let states = std::mem::take(&mut *states.0.lock().expect("nobody panics with it"));

@@ -8,7 +8,6 @@
 pub mod accuracies;
 pub mod bounce_runs;
 pub mod dense;
-pub mod digest;
 pub mod drawn;
 pub mod energy;
 pub mod graphs;
@@ -28,6 +27,8 @@ pub mod scenes;
 pub mod stability;
 pub mod steppers;
 pub mod trusted;
+
+pub use hooke_digest as digest;
 
 /// The example of the README is compiled and run.
 #[cfg(doctest)]

@@ -60,7 +60,8 @@ pub fn run_scene<R: Sample>(path: &Path, change: impl FnOnce(&mut Settings)) -> 
     change(&mut settings);
     let frames = Arc::new(Mutex::new(Vec::new()));
     let interrupted = AtomicBool::new(false);
-    let options = Options { ledger: true, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+    let options =
+        Options { ledger: true, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
     let recorders = |_: &_| Ok(vec![Box::new(Keep(Arc::clone(&frames))) as BoxedRecorder<R>]);
     let model = scene.model().expect("a scene that fits");
     let summary = run::<R>(&model, &settings, recorders, &options).expect("a run");

@@ -26,7 +26,8 @@ fn threads(recorders: Vec<BoxedRecorder<f64>>) -> usize {
     let scene = Scene::load(&path).unwrap();
     let progress = Threads(AtomicUsize::new(0));
     let interrupted = AtomicBool::new(false);
-    let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &progress };
+    let options =
+        Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &progress };
     run::<f64>(&scene.model().unwrap(), scene.settings(), |_| Ok(recorders), &options).unwrap();
     progress.0.into_inner()
 }

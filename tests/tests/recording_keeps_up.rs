@@ -36,7 +36,7 @@ fn spring(
     let scene = Scene::load(&path).unwrap();
     let mut settings = scene.settings().clone();
     change(&mut settings);
-    let options = Options { ledger: false, threads: Some(1), interrupted, progress };
+    let options = Options { ledger: false, digest: false, threads: Some(1), interrupted, progress };
     run::<f64>(&scene.model().unwrap(), &settings, |_| Ok(recorders), &options)
 }
 

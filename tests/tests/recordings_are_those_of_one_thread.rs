@@ -49,7 +49,8 @@ fn by_hand<R: Sample>(folder: &Path, model: &Model, settings: &Settings) {
 
 fn beside_stepping<R: Sample>(folder: &Path, model: &Model, settings: &Settings) {
     let interrupted = AtomicBool::new(false);
-    let options = Options { ledger: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+    let options =
+        Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
     run::<R>(model, settings, |_| Ok(open::<R>(folder, model, settings)), &options).unwrap();
 }
 

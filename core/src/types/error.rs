@@ -66,6 +66,12 @@ pub enum SetError {
     NotFinite,
     /// It must be positive and finite.
     NotPositive,
+    /// There is no plane of this number.
+    NoSuchPlane(u32),
+    /// A parameter of this spring is negative, infinite or NaN.
+    Spring(u32),
+    /// The restitution is outside 0…1.
+    Restitution,
 }
 
 /// Why a step was not taken. The state is as it was before it.
@@ -139,6 +145,9 @@ impl fmt::Display for SetError {
             Self::NoSuchParticle(number) => write!(f, "there is no particle {number}"),
             Self::NotFinite => write!(f, "the value is not finite"),
             Self::NotPositive => write!(f, "the value is not positive and finite"),
+            Self::NoSuchPlane(number) => write!(f, "there is no plane {number}"),
+            Self::Spring(number) => write!(f, "a parameter of spring {number} is not finite and 0 or more"),
+            Self::Restitution => write!(f, "the restitution is outside 0 to 1"),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The world as its user holds it.
 
+mod change;
+
 use super::clock::Clock;
 use super::layout::{ParticleColumns, SpringColumns};
 use super::order::{is_idle, order};

@@ -42,6 +42,8 @@ pub use names::{CollisionForm, Precision, StepperName};
 #[cfg(feature = "desktop")]
 pub use overrides::Overrides;
 pub use read::Unreadable;
+#[cfg(feature = "desktop")]
+pub use read::text_of_file;
 pub use schema::schema;
 pub use settings::Settings;
 pub use starters::Starter;

@@ -215,6 +215,7 @@ impl Course<'_> {
         let taken = frames.finish();
         let audit = main.walk.audit.as_ref();
         summary.close(taken, began.elapsed(), threads.as_ref(), &main.world.view(), audit)?;
+        summary.digest = self.options.digest.then(|| hooke_digest::of(&main.world.view()));
         let estimate = errors.last().map_or(0.0, |(_, error)| *error);
         Ok(Made { ended, summary, estimate, held_until, time_steps, returns, cost })
     }

@@ -78,7 +78,7 @@ pub fn probe(
 ) -> Result<Probed, RunError> {
     let settings = asked.into().settings(settings, checkpoints);
     let kept = Kept::default();
-    let options = Options { ledger: false, threads: Some(1), interrupted, progress: &Silent };
+    let options = Options { ledger: false, digest: false, threads: Some(1), interrupted, progress: &Silent };
     let summary = run_with(model, &settings, Keep { kept: Arc::clone(&kept), every: 1 }, &options)?;
     Ok(ended(&summary, &kept, checkpoints))
 }
@@ -106,7 +106,7 @@ pub fn watched(
     let watch = Watch::new(model, &settings, checkpoints);
     let kept = Kept::default();
     let keep = Keep { kept: Arc::clone(&kept), every };
-    let options = Options { ledger: true, threads: Some(1), interrupted, progress: &watch };
+    let options = Options { ledger: true, digest: false, threads: Some(1), interrupted, progress: &watch };
     let summary = run_with(model, &settings, (keep, watch.on_planes()), &options)?;
     Ok(match ended(&summary, &kept, checkpoints) {
         Probed::Finished(probe) => Probed::Finished((probe, watch.seen())),

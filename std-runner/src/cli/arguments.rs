@@ -21,6 +21,7 @@ Examples:
   hooke run cloth.toml --out cloth.npz                    for numpy.load
   hooke run cloth.toml --out cloth.csv --out cloth.npz    both
   hooke run cloth.toml --out - --frame-rate 10            CSV to standard output
+  hooke run cloth.toml --digest                           one number for the last state, to compare machines
   hooke run cloth.toml --stepper velocity-verlet --time-step 1e-4 --precision f64
   hooke run cloth.toml --max-error 1e-4 --out cloth.npz   no particle farther than 0.1 mm from where it should be
 
@@ -83,6 +84,16 @@ is judged against something that the stepper has no part in: a closed form, an i
 Ctrl-C ends it; what has been measured is told.
 Exit codes: 0 done, 1 a run went wrong in silence, which is a defect of Hooke, 2 the input is wrong, 130 interrupted.";
 
+const VIEW_EXAMPLES: &str = "\
+Examples:
+  hooke view cloth.toml                                 in the browser, as it is simulated
+  hooke view cloth.toml --stepper explicit-euler        with flags, as `hooke run` has them
+  hooke view cloth.toml --no-open --port 8080           for a browser that you open yourself
+
+The page shows the run of this program, frame by frame, as it is made; beside it, or in its place, the page steps the scene
+itself, by any stepper, with the same bits. Only browsers of this machine are answered. Ctrl-C ends it.
+Exit codes: 0 ended, 1 the port is taken, 2 the input is wrong.";
+
 const NEW_EXAMPLES: &str = "\
 Examples:
   hooke new cloth                 writes cloth.toml
@@ -111,6 +122,9 @@ pub(super) enum Verb {
     /// Measure numerical stability: largest stable time steps, what happens past them, and a battery of hard cases.
     #[command(after_help = STRESS_EXAMPLES)]
     Stress(StressArguments),
+    /// See a scene move in the browser, while it is simulated.
+    #[command(after_help = VIEW_EXAMPLES)]
+    View(ViewArguments),
     /// Write a scene to start from.
     #[command(after_help = NEW_EXAMPLES)]
     New(NewArguments),
@@ -134,6 +148,9 @@ pub(super) struct RunArguments {
     /// Threads that share the work of each step; the bits are the same with any number. Default: as many as the machine has where the scene is large enough to gain.
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<NonZeroU32>,
+    /// Print a digest of the last state, 16 hexadecimal digits, to standard output: the same wherever the bits are the same.
+    #[arg(long)]
+    pub(super) digest: bool,
     /// Do not keep the energy ledger, which costs two passes over the springs a step.
     #[arg(long)]
     pub(super) no_ledger: bool,
@@ -187,6 +204,20 @@ pub(super) struct StressArguments {
     /// Take 100 times as many steps in the battery's runs of a scene, and up to 10 million where drift is looked for. This takes hours.
     #[arg(long)]
     pub(super) thorough: bool,
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct ViewArguments {
+    /// The scene file, TOML or JSON.
+    pub(super) scene: PathBuf,
+    /// The port to serve the page on, of this machine alone. Default: one that is free.
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub(super) port: u16,
+    /// Do not open the browser; the address is printed.
+    #[arg(long)]
+    pub(super) no_open: bool,
+    #[command(flatten, next_help_heading = "In place of what the scene says")]
+    pub(super) overrides: Overrides,
 }
 
 #[derive(Clone, Debug, clap::Args)]

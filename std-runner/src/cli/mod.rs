@@ -16,6 +16,7 @@ mod scene;
 mod stress;
 mod table;
 mod told;
+mod view;
 mod within;
 
 use std::process::ExitCode;
@@ -55,6 +56,7 @@ impl Arguments {
             Verb::Check(check) => check::check(&check),
             Verb::Bench(bench) => bench::bench(&bench),
             Verb::Stress(stress) => stress::stress(&stress),
+            Verb::View(view) => view::view(&view),
             Verb::New(new) => new::new(&new),
             Verb::Schema => print::data(crate::scene::schema() + "\n"),
             Verb::Completions { shell } => {

@@ -18,6 +18,11 @@ pub(super) fn data(bytes: impl AsRef<[u8]>) -> Result<Outcome, Failure> {
     }
 }
 
+/// The digest of a state on a line of its own, if it was asked for.
+pub(super) fn digest(digest: Option<u64>) -> Result<Outcome, Failure> {
+    digest.map_or(Ok(Outcome::Done), |digest| data(format!("{digest:016x}\n")))
+}
+
 /// A message for the person. Where standard error is closed there is nobody to read it.
 pub(super) fn message(text: &str) {
     let _ = writeln!(stderr(), "{text}");

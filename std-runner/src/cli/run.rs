@@ -25,6 +25,10 @@ use crate::units::counted;
 pub(super) fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
     let outputs = Outputs::check(&arguments.out, &arguments.scene)?;
+    if arguments.digest && outputs.to_standard_output() {
+        let message = "--digest and --out - both print to standard output";
+        return Err(Failure::input(message.to_owned(), "record to a file: --out FILE.csv"));
+    }
     if let Some(asked) = loaded.scene.settings().max_error {
         return within::run_within(&loaded, &asked, &outputs, arguments);
     }
@@ -53,6 +57,7 @@ fn run_in<R: Stepped>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArgumen
         Ok(summary) => {
             let files = outputs.names();
             print::message(&told::summary(settings, &summary, None, &files));
+            print::digest(summary.digest)?;
             told::outcome(model, settings, &summary, !files.is_empty())
         }
         Err(error) => stopped(error, settings, outputs),
@@ -62,6 +67,7 @@ fn run_in<R: Stepped>(loaded: &Loaded, outputs: &Outputs, arguments: &RunArgumen
 pub(super) fn options<'a>(arguments: &RunArguments, progress: &'a Bar) -> Options<'a> {
     Options {
         ledger: !arguments.no_ledger,
+        digest: arguments.digest,
         threads: arguments.threads.map(NonZeroU32::get),
         interrupted: interrupt::watch(),
         progress,

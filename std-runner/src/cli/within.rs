@@ -37,6 +37,7 @@ pub(super) fn run_within(
         Ok(Some(Within { settings, summary, attained })) => {
             let files = outputs.names();
             print::message(&told::summary(&settings, &summary, Some(&attained), &files));
+            print::digest(summary.digest)?;
             let outcome = told::outcome(model, &settings, &summary, !files.is_empty())?;
             told::held(&settings, &attained, outcome)
         }

@@ -26,6 +26,8 @@ use crate::scene::Settings;
 pub struct Options<'a> {
     /// Whether the energy ledger is kept; it costs two passes over the springs a step.
     pub ledger: bool,
+    /// Whether the digest of the last state is told; it costs a pass over the particles at the end.
+    pub digest: bool,
     /// Threads that share the work of each step; nothing for as many as there are where that gains time.
     pub threads: Option<u32>,
     /// Set from outside to end the run after the step that it is at.
@@ -148,6 +150,7 @@ pub fn run<R: Stepped>(
     };
     let taken = run.frames.finish();
     run.summary.close(taken, began.elapsed(), threads.as_ref(), &world.view(), run.walk.audit.as_ref())?;
+    run.summary.digest = options.digest.then(|| hooke_digest::of(&world.view()));
     Ok(run.summary)
 }
 

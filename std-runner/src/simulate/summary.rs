@@ -57,6 +57,9 @@ pub struct Summary {
     pub recording: Duration,
     /// The energy ledger, if it was kept.
     pub balance: Option<Balance>,
+    /// The digest of the last state, if it was asked for: of positions and velocities as they are stepped, relative to the
+    /// place in the middle of a scene far from the origin.
+    pub digest: Option<u64>,
     /// Islands that slept at the end; the plan says how many there are.
     pub islands_asleep: u32,
     /// Steps that the stepper chose itself, bounces' own among them, without those taken again; 0 where it did not.
@@ -105,6 +108,7 @@ impl Summary {
             waiting: Duration::ZERO,
             recording: Duration::ZERO,
             balance: None,
+            digest: None,
             islands_asleep: 0,
             parts: 0,
             rejected: 0,

@@ -5,6 +5,7 @@ import { Camera } from "./draw/camera.js";
 import { extentOf, floorsOf } from "./draw/extent.js";
 import { readScene } from "./scene.js";
 import { pack } from "./share.js";
+import { textOf } from "./shipped.js";
 import { Sides } from "./sides.js";
 import { DESKTOP } from "./steppers.js";
 
@@ -24,7 +25,7 @@ export class App extends EventTarget {
 
   /** Shows what was chosen, from the start; if its scene is refused everything stays as it was. */
   async open(chosen) {
-    const { text, meshes } = chosen.text === null ? await shipped(chosen.scene) : chosen;
+    const { text, meshes } = chosen.text === null ? await textOf(chosen.scene) : chosen;
     const scene = await readScene(chosen.scene, text, meshes);
     const isOther = this.text !== text;
     Object.assign(this, { chosen, scene, text, meshes });
@@ -120,22 +121,4 @@ export class App extends EventTarget {
     };
     requestAnimationFrame(picture);
   }
-}
-
-let list;
-
-/** The scenes that come with the page: file names and titles. */
-export async function shippedScenes() {
-  list ??= fetch(new URL("../scenes/list.json", import.meta.url)).then((response) => response.json());
-  return list;
-}
-
-/** The text of one of them, and of its meshes. */
-async function shipped(file) {
-  const entry = (await shippedScenes()).find((scene) => scene.file === file);
-  if (!entry) throw new Error(`the link names a scene that is not here: ${file}`);
-  const text = async (name) => (await fetch(new URL(`../scenes/${name}`, import.meta.url))).text();
-  const meshes = {};
-  for (const mesh of entry.meshes) meshes[mesh] = await text(mesh);
-  return { text: await text(file), meshes };
 }

@@ -1,6 +1,6 @@
 // Puts the page together.
 
-import { load } from "../hooke/hooke.js";
+import { load } from "../hooke/index.js";
 import { App } from "./app.js";
 import { fromShare } from "./choices.js";
 import { findDesktop } from "./desktop.js";

@@ -14,7 +14,7 @@ export class Side {
   /** How many steps more its partner had taken when this one went on again. */
   ahead = 0;
 
-  /** @param {import("../hooke/hooke.js").Hooke} hooke */
+  /** @param {import("../hooke/index.js").Hooke} hooke */
   constructor(hooke, scene, stepper, choices) {
     Object.assign(this, { scene, stepper, choices, tracks: new Tracks(scene) });
     const { stiffness, damping, restitution } = choices;
@@ -87,6 +87,9 @@ export class Side {
         if (hurry && spent > LONGEST_MILLISECONDS) break;
       }
     } catch (error) {
+      // Of several steps those before the one that failed were taken.
+      const { since, choices: { timeStep } } = this;
+      this.steps = since.steps + Math.round((this.world.time - since.time) / timeStep);
       this.#stop(error);
     }
     this.milliseconds = performance.now() - began;

@@ -10,8 +10,11 @@ use super::source::Unreadable;
 /// No scene or mesh is longer than this, bytes: what is read on and on is none.
 const LONGEST: u64 = 1 << 28;
 
-/// The text of a file, or what is wrong with it and what to do; `what` says what the file should be.
-pub(crate) fn text_of_file(path: &Path, what: &str) -> Result<Arc<str>, Unreadable> {
+/// The text of a file; `what` says what the file should be.
+///
+/// # Errors
+/// If it cannot be read, is longer than any scene or mesh, or is no UTF-8.
+pub fn text_of_file(path: &Path, what: &str) -> Result<Arc<str>, Unreadable> {
     let bytes = read(path).map_err(|error| {
         let remedy = match error.kind() {
             io::ErrorKind::NotFound => "check the spelling, and the folder it is looked for in",

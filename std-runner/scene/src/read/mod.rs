@@ -13,7 +13,7 @@ mod tree;
 mod words;
 
 #[cfg(feature = "desktop")]
-pub(super) use files::text_of_file;
+pub use files::text_of_file;
 pub(super) use key_path::KeyPath;
 pub use source::Unreadable;
 pub(super) use source::{Source, Texts};

@@ -27,6 +27,7 @@ pub(in crate::cli) fn summary(
     facts.extend(summary.choices.iter().map(|choice| fact("auto chose", choice.to_string())));
     facts.push(fact("frames", frames(summary, files)));
     facts.push(fact("wall time", wall_time(summary)));
+    facts.extend(summary.digest.map(|digest| fact("digest", format!("{digest:016x}"))));
     facts.extend(solver(settings, summary));
     if summary.plan.planes > 0 {
         facts.push(fact("hits", count(summary.hits)));

@@ -69,26 +69,29 @@ uniform int marked;
 uniform vec3 mark;
 out vec2 around;
 out vec3 own, middle;
-out float r;
+out float r, share;
 void main() {
   bool isMarked = marked == gl_InstanceID;
   own = isMarked ? mark : look.rgb;
   middle = (view * vec4(place(gl_InstanceID), 1.0)).xyz;
   float least = 1.6 * halfPixel * (fromLight ? 1.0 : max(-middle.z, 0.0));
-  r = max(radius * look.a * (isMarked ? 1.7 : 1.0), isMarked ? 4.0 * least : least * min(look.a, 1.0));
+  float size = radius * look.a * (isMarked ? 1.7 : 1.0);
+  r = max(size, isMarked ? 4.0 * least : least * look.a);
+  // Joints that are smaller than a pixel would only be noise: they fade.
+  share = look.a > 1.0 || isMarked ? 1.0 : smoothstep(0.3, 1.0, size / least);
   around = corner;
   gl_Position = projection * vec4(middle + vec3(corner * r, 0.0), 1.0);
 }`,
   fragment: `${LIGHT}
 in vec2 around;
 in vec3 own, middle;
-in float r;
+in float r, share;
 uniform mat4 projection;
 out vec4 colour;
 void main() {
   float square = dot(around, around);
   float edge = fwidth(square);
-  float inside = 1.0 - smoothstep(1.0 - edge, 1.0, square);
+  float inside = share * (1.0 - smoothstep(1.0 - edge, 1.0, square));
   if (inside <= 0.0) discard;
   vec3 normal = vec3(around, sqrt(max(1.0 - square, 0.0)));
   vec4 seen = projection * vec4(middle + normal * r, 1.0);
@@ -99,7 +102,7 @@ void main() {
 precision highp float;
 in vec2 around;
 in vec3 own, middle;
-in float r;
+in float r, share;
 void main() { if (dot(around, around) > 1.0) discard; }`,
 };
 
@@ -140,9 +143,9 @@ float covered() {
   vec3 p = inLight.xyz / inLight.w * 0.5 + 0.5;
   if (any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)))) return 0.0;
   float sum = 0.0, texel = 1.0 / float(textureSize(shadows, 0).x);
-  for (int x = -2; x <= 2; x++)
-    for (int y = -2; y <= 2; y++) sum += texture(shadows, vec3(p.xy + 1.3 * texel * vec2(x, y), p.z - 0.002));
-  return 1.0 - sum / 25.0;
+  for (int x = -1; x <= 1; x++)
+    for (int y = -1; y <= 1; y++) sum += texture(shadows, vec3(p.xy + 1.5 * texel * vec2(x, y), p.z - 0.002));
+  return 1.0 - sum / 9.0;
 }
 // A chessboard, averaged over what a pixel sees of it.
 float chess(vec2 at) {

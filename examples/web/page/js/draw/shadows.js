@@ -2,7 +2,7 @@
 
 import { add, lookAt, multiply, orthographic, scale } from "./matrices.js";
 
-const SIDE = 1536;
+const SIDE = 1024;
 
 export class Shadows {
   constructor(gl) {

@@ -14,6 +14,7 @@ export class Stage {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, premultipliedAlpha: true, powerPreference: "high-performance" });
     if (!gl) throw new Error("this browser has no WebGL 2, which the picture needs");
     Object.assign(this, { canvas, gl, sides: [], looks: LOOKS.light, strain: new StrainScale() });
+    Object.assign(this, { detail: 1, pace: 30, changed: performance.now() });
     this.spring = new Program(gl, shaders.spring.vertex, shaders.spring.fragment);
     this.springShadow = new Program(gl, shaders.spring.vertex, shaders.springShadow);
     this.ball = new Program(gl, shaders.ball.vertex, shaders.ball.fragment);
@@ -60,9 +61,21 @@ export class Stage {
     return { x: 0, y: from, width, height: Math.round(((count - index) * height) / count) - from };
   }
 
+  /** Fewer pixels where pictures take too long, more where there is time. */
+  #settle(now) {
+    const took = now - (this.last ?? now);
+    this.last = now;
+    this.pace = 0.9 * this.pace + 0.1 * Math.min(took, 200);
+    if (now - this.changed < 1500) return;
+    const better = this.pace > 45 ? this.detail * 0.7 : this.pace < 20 ? this.detail * 1.2 : this.detail;
+    const within = Math.max(0.4, Math.min(1, better));
+    if (within !== this.detail) Object.assign(this, { detail: within, changed: now });
+  }
+
   fit() {
     const { canvas } = this;
-    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    this.#settle(performance.now());
+    const ratio = Math.min(window.devicePixelRatio || 1, 2) * this.detail;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.max(1, Math.round(side * ratio)));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   }

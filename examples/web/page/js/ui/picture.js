@@ -1,6 +1,6 @@
 // What lies over the picture: the scene's name, labels of the sides, time; and hands, keys, links.
 
-import { shippedScenes } from "../app.js";
+import { SHIPPED } from "../shipped.js";
 import { stepperOf } from "../steppers.js";
 import { short } from "../words.js";
 import { Editor } from "./editor.js";
@@ -29,10 +29,6 @@ export class Picture {
     at("speed").append(...SPEEDS.map((speed) => element("option", { value: String(speed) }, speed === 1 ? "real time" : `× ${speed}`)));
     at("speed").addEventListener("change", () => app.choose({ speed: Number(at("speed").value) }));
     at("scene").addEventListener("change", () => this.#open(at("scene").value));
-    shippedScenes().then((scenes) => {
-      this.scenes = scenes;
-      this.#list();
-    });
     app.addEventListener("scene", () => this.#list());
     app.addEventListener("built", () => this.#labels());
     app.addEventListener("play", () => this.#buttons());
@@ -43,8 +39,7 @@ export class Picture {
 
   #list() {
     const { app } = this;
-    if (!this.scenes) return;
-    const options = this.scenes.map(({ file, title }) => element("option", { value: file }, title));
+    const options = SHIPPED.map(({ file, title }) => element("option", { value: file }, title));
     if (app.scene && app.chosen.text !== null) options.unshift(element("option", { value: "" }, app.scene.name));
     at("scene").replaceChildren(...options);
     at("scene").value = app.chosen.text === null ? app.chosen.scene : "";
@@ -59,8 +54,8 @@ export class Picture {
   }
 
   #another(by) {
-    const now = this.scenes.findIndex(({ file }) => file === this.app.chosen.scene);
-    this.#open(this.scenes[(now + by + this.scenes.length) % this.scenes.length].file);
+    const now = SHIPPED.findIndex(({ file }) => file === this.app.chosen.scene);
+    this.#open(SHIPPED[(now + by + SHIPPED.length) % SHIPPED.length].file);
   }
 
   async #link() {

@@ -1,8 +1,9 @@
-//! One number for a whole state, bit by bit.
+//! One number for a whole state, bit by bit: two machines that tell the same one have the same bits.
+#![no_std]
 
 use hooke::{Real, View};
 
-/// FNV-1a (Fowler, Noll and Vo) over the little-endian bits of all positions and velocities, by particle number.
+/// FNV-1a (Fowler, Noll and Vo) over the little-endian bits of all positions (m) and velocities (m/s), by particle number.
 ///
 /// A 32-bit number is widened first: that is exact, and as telling.
 #[must_use]

@@ -1,0 +1,109 @@
+//! Changes to what is in a world already, and what is there to be read back.
+
+use super::Container;
+use crate::Real;
+use crate::types::{Plane, SetError, Spring};
+use crate::vectors::{at, put};
+use crate::world::clock::Clock;
+use crate::world::layout::SpringColumns;
+use crate::world::storage::{Column, Storage};
+
+impl<R: Real, M: Storage> Container<R, M> {
+    /// How many particles there are.
+    #[must_use]
+    pub fn particle_count(&self) -> u32 {
+        self.particles.count()
+    }
+
+    /// All springs with their numbers, in no particular order.
+    pub fn springs(&self) -> impl Iterator<Item = (u32, Spring<R>)> {
+        (0..self.springs.count()).map(|place| self.spring_in(place))
+    }
+
+    fn spring_in(&self, place: u32) -> (u32, Spring<R>) {
+        let columns = &self.springs;
+        let particle_at = self.particles.particle_at.items();
+        let spring = Spring {
+            between: at(columns.ends.items(), place).map(|slot| at(particle_at, slot)),
+            stiffness: at(columns.stiffness.items(), place),
+            damping: at(columns.damping.items(), place),
+            rest_length: at(columns.rest_length.items(), place),
+        };
+        (at(columns.number.items(), place), spring)
+    }
+
+    /// All planes, in the order of their numbers.
+    #[must_use]
+    pub fn planes(&self) -> &[Plane<R>] {
+        self.planes.items()
+    }
+
+    /// The gravitational acceleration, m/s².
+    #[must_use]
+    pub fn gravity(&self) -> [R; 3] {
+        self.gravity
+    }
+
+    /// Whether a particle is pinned or kinematic; nothing if there is no such particle.
+    #[must_use]
+    pub fn is_held(&self, particle: u32) -> Option<bool> {
+        let slot = self.slot(particle).ok()?;
+        Some(at(self.particles.inverse_mass.items(), slot) == R::ZERO)
+    }
+
+    /// Gives every spring the parameters that `change` makes of its number and of what it is now; between which particles
+    /// it is stays as it is.
+    ///
+    /// # Errors
+    /// Naming the first spring whose new stiffness, damping or rest length is negative or not finite; none is changed then.
+    pub fn change_springs(&mut self, change: impl Fn(u32, Spring<R>) -> Spring<R>) -> Result<(), SetError> {
+        let valid = |value: R| value >= R::ZERO && value.is_finite();
+        let refused = self.springs().map(|(number, spring)| (number, change(number, spring))).filter(|(_, spring)| {
+            !(valid(spring.stiffness) && valid(spring.damping) && valid(spring.rest_length))
+        });
+        if let Some(number) = refused.map(|(number, _)| number).min() {
+            return Err(SetError::Spring(number));
+        }
+        for place in 0..self.springs.count() {
+            let (number, spring) = self.spring_in(place);
+            let changed = change(number, spring);
+            let SpringColumns { stiffness, damping, rest_length, .. } = &mut self.springs;
+            put(stiffness.items_mut(), place, changed.stiffness);
+            put(damping.items_mut(), place, changed.damping);
+            put(rest_length.items_mut(), place, changed.rest_length);
+        }
+        self.wake_all();
+        self.disturb();
+        self.is_current = false;
+        Ok(())
+    }
+
+    /// Sets the restitution of a plane, from 0 to 1.
+    ///
+    /// # Errors
+    /// If there is no such plane, or it is outside 0…1.
+    pub fn set_restitution(&mut self, plane: u32, restitution: R) -> Result<(), SetError> {
+        let found = self.planes.items_mut().get_mut(plane as usize).ok_or(SetError::NoSuchPlane(plane))?;
+        if !(restitution >= R::ZERO && restitution <= R::ONE) {
+            return Err(SetError::Restitution);
+        }
+        found.restitution = restitution;
+        self.wake_all();
+        self.disturb();
+        self.is_current = false;
+        Ok(())
+    }
+
+    /// Sets the time of the state, s: to go on from one that was kept.
+    ///
+    /// # Errors
+    /// If it is not finite.
+    pub fn set_time(&mut self, seconds: f64) -> Result<(), SetError> {
+        if !seconds.is_finite() {
+            return Err(SetError::NotFinite);
+        }
+        self.clock = Clock::at(seconds);
+        self.disturb();
+        Ok(())
+    }
+}
