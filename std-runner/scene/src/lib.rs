@@ -65,7 +65,7 @@ impl Scene {
     /// If anything in it cannot be run; the error names the place, the value and the remedy.
     #[cfg(feature = "desktop")]
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        Self::of(path, &mut read::text_of_file)
+        Self::of(path, &mut text_of_file)
     }
 
     /// Reads and checks the scene at `path`, whose ending says the format, where `text` gives the text of it and of the

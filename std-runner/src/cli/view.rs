@@ -19,18 +19,15 @@ pub(super) fn view(arguments: &ViewArguments) -> Result<Outcome, Failure> {
     }
     let shown = Shown::new(&arguments.scene, loaded.model, settings)?;
     let interrupted = interrupt::watch();
-    let server = Server::listen(arguments.port, shown)
+    let server = Server::listen(arguments.port, shown, interrupted)
         .map_err(|error| Failure::failed(error.to_string(), "leave --port out for one that is free"))?;
-    let Some(address) = server.address() else {
-        return Err(Failure::failed("the server has no address".to_owned(), "try again, with --port"));
-    };
-    let page = format!("http://{address}/");
+    let page = format!("http://{}/", server.address());
     print::message(&format!("{page}\nCtrl-C ends it"));
     if !arguments.no_open
         && let Err(error) = open::that_detached(&page)
     {
         print::message(&format!("warning: no browser could be opened: {error}\n    help: open the address above"));
     }
-    server.serve(interrupted).map_err(|error| Failure::failed(format!("the server has ended: {error}"), "try again"))?;
+    server.serve_until(interrupted);
     Ok(Outcome::Done)
 }

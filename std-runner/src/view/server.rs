@@ -1,20 +1,24 @@
 //! What answers the browser, on this machine alone.
 
-use std::io::{self, Cursor};
-use std::net::{Ipv4Addr, SocketAddr};
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use tiny_http::{Header, Method, Request, Response, StatusCode};
+use oxhttp::model::header::{CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, HOST};
+use oxhttp::model::{Body, HeaderValue, Method, Request, Response, StatusCode};
+use oxhttp::{ListeningServer, Server as Http};
 
 use super::files;
 use super::frames::frames;
 use super::shown::Shown;
 
 /// Between two looks at whether it is to end.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(100);
+const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+/// More connections than a few browser windows open.
+const MOST_CONNECTIONS: usize = 128;
 /// What the page looks for to know that a desktop is behind it.
 const MARK: &str = "<meta name=\"hooke-desktop\" content=\"1\">\n<title>";
 
@@ -30,92 +34,92 @@ pub struct ServerError {
 
 /// A server of one scene.
 pub struct Server {
-    http: tiny_http::Server,
-    shown: Arc<Shown>,
+    address: SocketAddr,
+    http: ListeningServer,
 }
 
 impl Server {
-    /// Listens on a port of the loopback interface; 0 is any that is free.
+    /// Listens on a port of the loopback interface; 0 is any that is free. Runs that pages look at end when `interrupted`.
     ///
     /// # Errors
     /// If the port is taken, or may not be used.
-    pub fn listen(port: u16, shown: Shown) -> Result<Self, ServerError> {
-        let http = tiny_http::Server::http((Ipv4Addr::LOCALHOST, port)).map_err(|error| {
-            let source = error.downcast::<io::Error>().map_or_else(io::Error::other, |error| *error);
-            ServerError { port, source }
-        })?;
-        Ok(Self { http, shown: Arc::new(shown) })
+    pub fn listen(port: u16, shown: Shown, interrupted: &'static AtomicBool) -> Result<Self, ServerError> {
+        let refused = |source| ServerError { port, source };
+        let address = free_address(port).map_err(refused)?;
+        let shown = Arc::new(shown);
+        let http = Http::new(move |request| answer(request, address, &shown, interrupted))
+            .bind(address)
+            .with_max_concurrent_connections(MOST_CONNECTIONS)
+            .spawn()
+            .map_err(refused)?;
+        Ok(Self { address, http })
     }
 
     /// Where it listens.
     #[must_use]
-    pub fn address(&self) -> Option<SocketAddr> {
-        self.http.server_addr().to_ip()
+    pub fn address(&self) -> SocketAddr {
+        self.address
     }
 
-    /// Answers until it is interrupted.
-    ///
-    /// # Errors
-    /// If no more can be received.
-    pub fn serve(&self, interrupted: &'static AtomicBool) -> io::Result<()> {
+    /// Answers until it is interrupted; its threads end with the program.
+    pub fn serve_until(self, interrupted: &AtomicBool) {
         while !interrupted.load(Ordering::Relaxed) {
-            let Some(request) = self.http.recv_timeout(BETWEEN_LOOKS)? else { continue };
-            let shown = Arc::clone(&self.shown);
-            let own = self.address();
-            // A stream of frames lasts as long as somebody looks at it.
-            thread::spawn(move || answer(request, own, shown, interrupted));
+            thread::sleep(BETWEEN_LOOKS);
         }
-        Ok(())
+        drop(self.http);
     }
 }
 
-/// A browser that has gone away needs no answer, and no error.
-fn answer(request: Request, own: Option<SocketAddr>, shown: Arc<Shown>, interrupted: &'static AtomicBool) {
-    let path = request.url().split(['?', '#']).next().unwrap_or_default().trim_start_matches('/').to_owned();
-    let _ = if !is_for_here(&request, own) {
-        request.respond(refusal(403, "this server is for pages of this machine"))
-    } else if *request.method() != Method::Get {
-        request.respond(refusal(405, "there is nothing here but to GET"))
-    } else if path == "desktop/frames" {
-        let headers = [header("Content-Type", "application/octet-stream"), header("Cache-Control", "no-store")];
-        let headers = headers.into_iter().flatten().collect();
-        request.respond(Response::new(StatusCode(200), headers, frames(shown, interrupted), None, None))
-    } else if path == "desktop/scene.json" {
-        request.respond(of_bytes(shown.json(), "application/json"))
-    } else if path.is_empty() || path == "index.html" {
-        request.respond(of_bytes(page(), "text/html; charset=utf-8"))
-    } else if let Some(file) = files::at(&path) {
-        let response = of_bytes(file.bytes.to_vec(), file.kind);
-        let packed = file.is_packed.then(|| header("Content-Encoding", "gzip")).flatten();
-        request.respond(packed.into_iter().fold(response, Response::with_header))
-    } else {
-        request.respond(refusal(404, "there is no such file here"))
-    };
+/// The address of a port: the server itself cannot tell which one it was given.
+fn free_address(port: u16) -> io::Result<SocketAddr> {
+    TcpListener::bind((Ipv4Addr::LOCALHOST, port))?.local_addr()
+}
+
+fn answer(request: &Request<Body>, own: SocketAddr, shown: &Arc<Shown>, interrupted: &'static AtomicBool) -> Response<Body> {
+    if !is_for_here(request, own) {
+        return refusal(StatusCode::FORBIDDEN, "this server is for pages of this machine");
+    }
+    if *request.method() != Method::GET {
+        return refusal(StatusCode::METHOD_NOT_ALLOWED, "there is nothing here but to GET");
+    }
+    match request.uri().path().trim_start_matches('/') {
+        "" | "index.html" => of(page(), "text/html; charset=utf-8"),
+        "desktop/scene.json" => of(shown.json(), "application/json"),
+        "desktop/frames" => of(Body::from_read(frames(Arc::clone(shown), interrupted)), "application/octet-stream"),
+        path => match files::at(path) {
+            Some(file) => {
+                let mut response = of(file.bytes, file.kind);
+                if file.is_packed {
+                    response.headers_mut().insert(CONTENT_ENCODING, HeaderValue::from_static("gzip"));
+                }
+                response
+            }
+            None => refusal(StatusCode::NOT_FOUND, "there is no such file here"),
+        },
+    }
 }
 
 /// Whether a request names this machine: a page from elsewhere that was made to resolve to it does not.
-fn is_for_here(request: &Request, own: Option<SocketAddr>) -> bool {
-    let port = own.map_or(0, |own| own.port());
-    let host = request.headers().iter().find(|header| header.field.equiv("Host"));
-    host.is_some_and(|host| ["127.0.0.1", "localhost"].iter().any(|name| host.value.as_str() == format!("{name}:{port}")))
+fn is_for_here(request: &Request<Body>, own: SocketAddr) -> bool {
+    let host = request.headers().get(HOST).and_then(|host| host.to_str().ok());
+    host.is_some_and(|host| ["127.0.0.1", "localhost"].iter().any(|name| host == format!("{name}:{}", own.port())))
 }
 
 /// The page, marked as coming from here.
 fn page() -> Vec<u8> {
-    let page = files::at("").map_or_else(Vec::new, |file| file.bytes.to_vec());
-    String::from_utf8_lossy(&page).replacen("<title>", MARK, 1).into_bytes()
+    let page = files::at("").map_or(&[][..], |file| file.bytes);
+    String::from_utf8_lossy(page).replacen("<title>", MARK, 1).into_bytes()
 }
 
-/// A header; none where a name or a value is not plain ASCII, as all in here are.
-fn header(name: &str, value: &str) -> Option<Header> {
-    Header::from_bytes(name, value).ok()
+fn of(body: impl Into<Body>, kind: &'static str) -> Response<Body> {
+    let mut response = Response::new(body.into());
+    response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    response.headers_mut().insert(CACHE_CONTROL, HeaderValue::from_static("no-cache"));
+    response
 }
 
-fn of_bytes(bytes: Vec<u8>, of: &str) -> Response<Cursor<Vec<u8>>> {
-    let headers = [header("Content-Type", of), header("Cache-Control", "no-cache")];
-    headers.into_iter().flatten().fold(Response::from_data(bytes), Response::with_header)
-}
-
-fn refusal(code: u16, words: &str) -> Response<Cursor<Vec<u8>>> {
-    Response::from_string(words).with_status_code(code)
+fn refusal(status: StatusCode, words: &'static str) -> Response<Body> {
+    let mut response = of(words, "text/plain; charset=utf-8");
+    *response.status_mut() = status;
+    response
 }

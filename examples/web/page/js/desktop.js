@@ -1,5 +1,7 @@
 // The desktop's own run, where `hooke view` serves this page: its scene, and the frames of its run as it makes them.
 
+import { seconds } from "./words.js";
+
 /** What the desktop serves; nothing where the page comes from elsewhere. */
 export async function findDesktop() {
   if (!document.querySelector('meta[name="hooke-desktop"]')) return undefined;
@@ -51,7 +53,7 @@ class Frames {
   /** The last frame that is not later than a time, if it is new. */
   upTo(time) {
     let last;
-    while (this.queue.length > 0 && this.queue[0].time <= time) last = this.queue.shift();
+    while (this.queue.length > 0 && this.queue[0].time <= time + 1e-9 && !last?.early) last = this.queue.shift();
     if (this.queue.length < AHEAD) {
       this.#waiting?.();
       this.#waiting = undefined;
@@ -65,10 +67,12 @@ class Frames {
   }
 }
 
-/** Eight numbers of 64 bits: time, then the ledger; then positions in 32 bits. */
+/** Eight numbers of 64 bits: time, then the ledger; then positions in 32 bits. Where the ledger is not known it is NaN. */
 function frame(buffer, from, bytes) {
   const copy = buffer.slice(from, from + bytes);
   const [time, kinetic, elastic, gravitational, lostToDamping, lostInImpacts, remainder, total] = new Float64Array(copy, 0, 8);
+  // A time that is no number says that the run ended early: at a particle, after a time.
+  if (Number.isNaN(time)) return { time: elastic, early: { particle: kinetic < 0 ? undefined : kinetic, time: elastic } };
   return {
     time, positions: new Float32Array(copy, 64),
     ledger: { kinetic, elastic, gravitational, lostToDamping, lostInImpacts, remainder, total },
@@ -103,8 +107,18 @@ export class DesktopSide {
     }
     this.steps += count;
     this.clock += count * this.choices.timeStep;
-    this.shown = this.frames.upTo(this.clock) ?? this.shown;
+    const next = this.frames.upTo(this.clock);
+    if (next?.early) this.#stop(next.early);
+    else this.shown = next ?? this.shown;
     return count;
+  }
+
+  #stop({ particle, time }) {
+    const exploded = particle !== undefined;
+    const words = exploded
+      ? `exploded at particle ${particle} in the step after ${seconds(time)}: its place would be no number.`
+      : `the desktop's run did not go on after ${seconds(time)}: it has printed why.`;
+    this.stopped = { particle, time, words, exploded };
   }
 
   get time() {

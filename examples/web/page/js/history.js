@@ -9,6 +9,7 @@ export class History {
 
   /** At a time in s, of a ledger in J. */
   add(time, ledger) {
+    if (Number.isNaN(ledger.total)) return;
     const last = this.rows.at(-1);
     if (last && time < last.time) this.rows = [];
     if (last && time === last.time) this.rows.pop();

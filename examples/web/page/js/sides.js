@@ -46,7 +46,7 @@ export class Sides {
 
   /** The same state, other choices. */
   change(choices) {
-    this.timeStep = choices.timeStep ?? this.timeStep;
+    this.timeStep = choices.timeStep ?? this.#chosenStep(this.scene, choices);
     this.choices = { ...choices, timeStep: this.timeStep };
     this.list.forEach((side) => {
       if (side.stopped) this.#revive(side);

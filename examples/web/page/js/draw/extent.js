@@ -2,6 +2,9 @@
 
 import { across, direction, dot, length, scale, subtract } from "./matrices.js";
 
+/** Planes that another one is cut by, as many as the program for them takes. */
+const MOST_OTHERS = 8;
+
 const place = (array, i) => [array[3 * i], array[3 * i + 1], array[3 * i + 2]];
 
 /** The middle and the radius of what is to be seen, m; up; how thick particles and springs are. */
@@ -48,11 +51,12 @@ function thickness(scene, radius) {
 }
 
 /** The planes as they are drawn: those that all but coincide once, and a floor to cast shadows on where there is none. */
-export function floorsOf(scene, { up, middle, radius, least, most }) {
+export function floorsOf(scene, { up, middle, radius, least, most, ball }) {
   const drawn = [];
   for (const { point, normal } of scene.planes) {
     const near = drawn.some((other) => dot(other.normal, normal) > 0.9999 && Math.abs(dot(subtract(point, other.point), normal)) < 0.01 * radius);
-    if (!near) drawn.push({ point, normal, isReal: true });
+    // A particle has no size, the ball that shows it has: what it lies on is drawn so much lower.
+    if (!near) drawn.push({ point: subtract(point, scale(normal, ball)), normal, isReal: true });
   }
   if (drawn.length === 0 && length(scene.gravity) > 0) {
     const corners = [0, 1, 2].map((axis) => (up[axis] > 0 ? least[axis] : most[axis]));
@@ -60,7 +64,8 @@ export function floorsOf(scene, { up, middle, radius, least, most }) {
     drawn.push({ point: scale(up, low), normal: up, isReal: false });
   }
   const spacing = niceBelow(radius / 2.5);
-  return drawn.map(({ point, normal, isReal }) => {
+  return drawn.map(({ point, normal, isReal }, index) => {
+    const others = drawn.filter((_, other) => other !== index).slice(0, MOST_OTHERS);
     const centre = subtract(middle, scale(normal, dot(subtract(middle, point), normal)));
     const along = across(normal);
     const side = direction([
@@ -71,9 +76,17 @@ export function floorsOf(scene, { up, middle, radius, least, most }) {
     const size = (drawn.length > 1 ? 3.5 : 6) * radius;
     return {
       middle: centre, normal, along: scale(along, size), side: scale(side, size), spacing, isReal,
+      others: { fours: new Float32Array(4 * MOST_OTHERS).fill(0).map((_, i) => fourth(others[i >> 2], i & 3, radius)) },
+      othersCount: { int: others.length },
       origin: [dot(centre, along) % (2 * spacing), dot(centre, side) % (2 * spacing)],
     };
   });
+}
+
+/** Direction and offset of a plane, one number at a time. */
+function fourth(plane, place, radius) {
+  if (!plane) return 0;
+  return place < 3 ? plane.normal[place] : dot(plane.point, plane.normal) - 1e-4 * radius;
 }
 
 function niceBelow(value) {

@@ -28,7 +28,10 @@ export class Program {
     }
   }
 
-  /** Uses it, with these uniforms: a number of its kind as `{ int: 3 }`, a float as 0.5, vectors and matrices as arrays. */
+  /**
+   * Uses it, with these uniforms: an integer as `{ int: 3 }`, a float as 0.5, an array of
+   * four-vectors as `{ fours }`, vectors and matrices as arrays.
+   */
   use(uniforms) {
     const gl = this.#gl;
     gl.useProgram(this.#program);
@@ -38,6 +41,7 @@ export class Program {
       if (place === null) continue;
       if (typeof value === "number") gl.uniform1f(place, value);
       else if (value.int !== undefined) gl.uniform1i(place, value.int);
+      else if (value.fours !== undefined) gl.uniform4fv(place, value.fours);
       else if (value.length === 2) gl.uniform2fv(place, value);
       else if (value.length === 3) gl.uniform3fv(place, value);
       else gl.uniformMatrix4fv(place, false, value);

@@ -121,9 +121,11 @@ uniform vec3 middle, along, side;
 out vec2 tile;
 out vec4 inLight;
 out vec2 flatPlace;
+out vec3 spot;
 void main() {
   flatPlace = corner;
   vec3 p = middle + along * corner.x + side * corner.y;
+  spot = p;
   tile = vec2(length(along), length(side)) * corner;
   inLight = toLight * vec4(p, 1.0);
   gl_Position = both * vec4(p, 1.0);
@@ -134,6 +136,10 @@ precision highp sampler2DShadow;
 in vec2 tile;
 in vec4 inLight;
 in vec2 flatPlace;
+in vec3 spot;
+// What lies behind another plane is out of everything's reach.
+uniform vec4 others[8];
+uniform int othersCount;
 uniform sampler2DShadow shadows;
 uniform vec3 light, even, odd, shade;
 uniform vec2 origin;
@@ -154,6 +160,7 @@ float chess(vec2 at) {
   return 0.5 - 0.5 * i.x * i.y;
 }
 void main() {
+  for (int i = 0; i < othersCount; i++) if (dot(others[i].xyz, spot) < others[i].w) discard;
   float fade = 1.0 - smoothstep(0.15, 1.0, length(flatPlace));
   vec3 own = mix(even, odd, chess((tile + origin) / spacing));
   own = mix(own, shade, 0.62 * covered());

@@ -134,7 +134,7 @@ export class Stage {
       gl.depthMask(!isBehind);
       this.plane.use({
         both: sight.both, toLight: fromLight.both, shadows: { int: 0 }, middle: floor.middle, along: floor.along, side: floor.side,
-        origin: floor.origin, spacing: floor.spacing, even: looks.even, odd: looks.odd, shade: looks.shade, light: this.light,
+        others: floor.others, othersCount: floor.othersCount, origin: floor.origin, spacing: floor.spacing, even: looks.even, odd: looks.odd, shade: looks.shade, light: this.light,
         opacity: isBehind ? 0.12 : floor.isReal ? 1 : 0.75,
       });
       gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);

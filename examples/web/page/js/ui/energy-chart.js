@@ -1,6 +1,6 @@
 // The ledger of one side over time, as layers: together they are what there was at the start, as far as the stepper is honest.
 
-import { withUnit } from "../words.js";
+import { short, withUnit } from "../words.js";
 import { colour, sharp } from "./canvas.js";
 
 export const LAYERS = [
@@ -68,6 +68,6 @@ export function remainderWords(row, floor) {
   if (!Number.isFinite(part)) return "beyond all numbers";
   const sign = row.remainder < 0 ? "−" : "+";
   const size = Math.abs(part);
-  const percent = size >= 10 ? `${withUnit(size, "×").replace(" ", " ")}` : `${(100 * size).toPrecision(2)} %`;
+  const percent = size >= 10 ? `${short(size)} times all there was` : `${short(100 * size)} %`;
   return `${sign}${withUnit(Math.abs(row.remainder), "J")} (${percent})`;
 }

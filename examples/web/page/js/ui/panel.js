@@ -68,12 +68,18 @@ export class Panel {
       timeStep: make("timeStep", { title: "time step", least: 1e-5, most: 0.1, scale: "logarithmic", words: seconds }),
       stiffness: make("stiffness", { title: "stiffness", least: 0.01, most: 100, scale: "logarithmic", words: times }),
       damping: make("damping", { title: "damping", least: 0.01, most: 100, scale: "logarithmic", zero: true, words: (v) => (v === 0 ? "none" : times(v)) }),
-      restitution: make("restitution", { title: "restitution", least: 0, most: 1, words: (v) => (v === null ? "as in the scene" : short(v)) }),
-      gravity: make("gravity", { title: "gravity", least: -1, most: 3, words: (v) => this.#gravityWords(v) }),
+      restitution: make("restitution", { title: "restitution", least: 0, most: 1, words: (v) => (this.#differs() ? "as in the scene" : short(v)) }),
+      gravity: make("gravity", { title: "gravity", least: -1, most: 3, words: () => this.#gravityWords() }),
     };
     document.getElementById("step-slider").append(this.sliders.timeStep.row);
     const { stiffness, damping, restitution, gravity } = this.sliders;
     document.getElementById("sliders").append(element("h2", {}, "The scene's numbers"), stiffness.row, damping.row, restitution.row, gravity.row);
+  }
+
+  /** Whether planes have restitutions of their own. */
+  #differs() {
+    const { chosen, scene } = this.app;
+    return chosen.restitution === null && scene.planes.some((plane) => plane.restitution !== scene.planes[0].restitution);
   }
 
   #gravityWords() {
