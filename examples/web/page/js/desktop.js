@@ -150,4 +150,5 @@ export class DesktopSide {
   }
 }
 
-const NO_LEDGER = { kinetic: 0, elastic: 0, gravitational: 0, lostToDamping: 0, lostInImpacts: 0, remainder: 0, total: 0 };
+/** At the start nothing has been told yet. */
+const NO_LEDGER = { total: NaN };

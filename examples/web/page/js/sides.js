@@ -103,7 +103,9 @@ export class Sides {
 
   record() {
     this.list.forEach((side, i) => {
-      if (!side.stopped) this.histories[i].add(side.time, side.energy());
+      if (side.stopped && side.isRecorded) return;
+      this.histories[i].add(side.time, side.energy());
+      side.isRecorded = Boolean(side.stopped);
     });
   }
 }

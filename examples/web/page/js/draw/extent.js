@@ -45,9 +45,10 @@ function thickness(scene, radius) {
   if (scene.springs === 0) return { ball: Math.min(radius * 0.05, (radius * 0.35) / Math.cbrt(scene.particles + 1)), rod: 0 };
   const lengths = Float64Array.from(scene.restLength).sort();
   const typical = lengths[lengths.length >> 1] || radius * 0.1;
-  const few = scene.springs < 40;
-  const ball = Math.min(few ? 0.09 * typical : 0.16 * typical, 0.06 * radius);
-  return { ball: Math.max(ball, 0.004 * radius), rod: Math.max(Math.min(0.06 * typical, 0.012 * radius), 0.0012 * radius) };
+  // A few springs are drawn thick enough to be seen from where the whole scene is.
+  const [leastBall, leastRod] = scene.springs < 300 ? [0.012, 0.0055] : [0.004, 0.0012];
+  const ball = Math.min((scene.springs < 40 ? 0.09 : 0.16) * typical, 0.06 * radius);
+  return { ball: Math.max(ball, leastBall * radius), rod: Math.max(Math.min(0.06 * typical, 0.012 * radius), leastRod * radius) };
 }
 
 /** The planes as they are drawn: those that all but coincide once, and a floor to cast shadows on where there is none. */

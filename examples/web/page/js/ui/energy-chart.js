@@ -19,8 +19,8 @@ export function energyScale(histories, before) {
   const median = typical[typical.length >> 1] ?? 0;
   const want = 1.45 * Math.max(start, Math.min(median, 4 * start || median), 1e-12);
   // It follows slowly, so that one can watch something grow.
-  const most = before ? Math.max(before.most * 0.985, Math.min(want, before.most * 1.02)) : want;
-  return { floor: base, most: Math.abs(most / want - 1) < 0.02 ? want : most };
+  const most = before?.rows > 0 ? Math.max(before.most * 0.985, Math.min(want, before.most * 1.02)) : want;
+  return { floor: base, most: Math.abs(most / want - 1) < 0.02 ? want : most, rows: sane.length };
 }
 
 export function drawEnergy(canvas, history, { floor, most }, mark) {

@@ -89,9 +89,6 @@ export class Panel {
 
   #scene() {
     const { scene } = this.app;
-    const { stiffness, damping, restitution } = this.sliders;
-    [stiffness, damping].forEach((slider) => slider.enable(scene.springs > 0));
-    restitution.enable(scene.planes.length > 0);
     this.formRow.hidden = scene.planes.length === 0;
     this.#show();
   }
@@ -123,6 +120,13 @@ export class Panel {
     this.form.value = app.sides.choices.collision;
     this.sliders.timeStep.show(app.sides.timeStep);
     for (const key of ["stiffness", "damping", "gravity"]) this.sliders[key].show(app.chosen[key]);
+    const isLive = app.sides.list.every((side) => side.stepper === DESKTOP);
+    const { scene } = app;
+    const { timeStep, stiffness, damping, restitution, gravity } = this.sliders;
+    [timeStep, gravity].forEach((slider) => slider.enable(!isLive));
+    [stiffness, damping].forEach((slider) => slider.enable(!isLive && scene.springs > 0));
+    restitution.enable(!isLive && scene.planes.length > 0);
+    this.form.disabled = isLive;
     const own = app.scene.planes[0]?.restitution ?? 1;
     this.sliders.restitution.show(app.chosen.restitution ?? own);
     this.#pictures = 0;
