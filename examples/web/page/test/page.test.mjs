@@ -21,7 +21,8 @@ const positions = (page) => page.evaluate(() => [...hookePage.sides.list[0].posi
 const placeOf = (page, particle) =>
   page.evaluate((i) => {
     const { stage, camera, sides } = hookePage;
-    const { both } = camera.see(stage.part(0).width / stage.part(0).height);
+    const part = stage.part(0);
+    const { both } = camera.see(part.width / part.height);
     const [x, y, z] = sides.list[0].positions.subarray(3 * i, 3 * i + 3);
     const [cx, cy, , w] = [0, 1, 2, 3].map((r) => both[r] * x + both[4 + r] * y + both[8 + r] * z + both[12 + r]);
     const { x: left, width, top, height } = stage.canvas.getBoundingClientRect();

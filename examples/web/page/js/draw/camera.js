@@ -3,6 +3,10 @@
 import { add, across, cross, direction, dot, length, lookAt, multiply, perspective, scale, subtract, transform } from "./matrices.js";
 
 const STEEPEST = 1.55;
+/** The shape of picture that a scene's own camera is meant for. */
+const MEANT = 4 / 3;
+/** Room for what lies over the picture at its edges. */
+const ROOM = 1.35;
 
 export class Camera {
   /** Sees all of a scene, from where the scene says if it does. */
@@ -13,7 +17,7 @@ export class Camera {
     this.target = chosen?.target ?? middle;
     const back = chosen?.position ? subtract(chosen.position, this.target) : this.#threeQuarters();
     this.#from(back);
-    if (!chosen?.position) this.distance = (1.25 * radius) / Math.sin(this.angle / 2);
+    this.distance = chosen?.position ? ROOM * this.distance : (ROOM * radius) / Math.sin(this.angle / 2);
     this.home = { target: this.target, yaw: this.yaw, pitch: this.pitch, distance: this.distance };
   }
 
@@ -69,7 +73,8 @@ export class Camera {
 
   /** The matrices for a picture of that width over height; narrow pictures are seen from farther away. */
   see(aspect) {
-    const angle = aspect < 1 ? 2 * Math.atan(Math.tan(this.angle / 2) / Math.max(aspect, 0.4)) : this.angle;
+    const narrow = Math.max(1, MEANT / Math.max(aspect, 0.4));
+    const angle = 2 * Math.atan(narrow * Math.tan(this.angle / 2));
     const view = lookAt(this.eye, this.target, this.up);
     const far = this.distance + 40 * this.radius;
     const projection = perspective(angle, aspect, Math.max(far * 1e-4, this.distance * 0.01), far);

@@ -49,11 +49,16 @@ export class Stage {
     if (this.scene) this.sides.forEach((side) => side.paint(particleLooks(this.looks, this.scene)));
   }
 
+  /** Whether sides are one above the other: where the canvas is higher than wide. */
+  get isStacked() {
+    return this.canvas.height > this.canvas.width;
+  }
+
   /** The part of the canvas that a side has, in its pixels from the lower left: side by side, or one above the other. */
   part(index) {
     const { width, height } = this.canvas;
     const count = this.sides.length;
-    if (width >= height) {
+    if (!this.isStacked) {
       const from = Math.round((index * width) / count);
       return { x: from, y: 0, width: Math.round(((index + 1) * width) / count) - from, height };
     }

@@ -161,6 +161,7 @@ export class Panel {
     const { scene, sides, hooke } = this.app;
     const facts = [
       ["scene", `${counted(scene.particles, "particle")}, ${counted(scene.springs, "spring")}, ${counted(scene.planes.length, "plane")}`],
+      ["numbers", scene.precision === "f32" ? "single precision" : `single precision; the scene asks for ${scene.precision}, which the desktop has`],
       ["vectors", hooke.simd ? "128-bit SIMD" : "none: this browser has no SIMD"],
       ...sides.list.flatMap((side) => [
         [stepperOf(side.stepper).title, `${counted(side.steps, "step")}, digest ${side.digest()}`],

@@ -97,6 +97,7 @@ export class Picture {
     const { app } = this;
     const slow = app.playing && app.sides.slowness < 0.9 ? ` · ${short(app.sides.slowness)} of that speed` : "";
     at("clock").textContent = `${app.sides.time.toFixed(app.sides.time < 100 ? 2 : 1)} s${slow}`;
+    at("labels").classList.toggle("stacked", app.stage.isStacked);
     at("strain").hidden = app.scene.springs === 0;
     const end = `stretched ${short(100 * app.stage.strain.end)} %`;
     if (at("strain-end").textContent !== end) at("strain-end").textContent = end;
