@@ -85,10 +85,9 @@ impl<R: Sample> Recorder<R> for StreamRecorder {
     fn record(&mut self, frame: &Frame<'_, R>) -> Result<(), RecordError> {
         let numbers = frame.position.iter().flatten().map(|coordinate| coordinate.to_f64() as f32);
         let positions = numbers.flat_map(f32::to_le_bytes).collect();
-        self.send.send(Made { time: frame.time, end: None, positions }).map_err(|_| RecordError {
-            path: "the page".to_owned(),
-            source: io::ErrorKind::BrokenPipe.into(),
-        })
+        self.send
+            .send(Made { time: frame.time, end: None, positions })
+            .map_err(|_| RecordError { path: "the page".to_owned(), source: io::ErrorKind::BrokenPipe.into() })
     }
 
     fn finish(self: Box<Self>) -> Result<(), RecordError> {

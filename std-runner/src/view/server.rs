@@ -75,7 +75,12 @@ fn free_address(port: u16) -> io::Result<SocketAddr> {
     TcpListener::bind((Ipv4Addr::LOCALHOST, port))?.local_addr()
 }
 
-fn answer(request: &Request<Body>, own: SocketAddr, shown: &Arc<Shown>, interrupted: &'static AtomicBool) -> Response<Body> {
+fn answer(
+    request: &Request<Body>,
+    own: SocketAddr,
+    shown: &Arc<Shown>,
+    interrupted: &'static AtomicBool,
+) -> Response<Body> {
     if !is_for_here(request, own) {
         return refusal(StatusCode::FORBIDDEN, "this server is for pages of this machine");
     }

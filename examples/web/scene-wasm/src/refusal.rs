@@ -24,7 +24,8 @@ impl From<SceneError> for Refusal {
 
 impl Refusal {
     fn of(error: &dyn Diagnostic) -> Self {
-        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_links(false).with_wrap_lines(false);
+        let handler =
+            GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_links(false).with_wrap_lines(false);
         let mut printed = String::new();
         if handler.render_report(&mut printed, error).is_err() {
             printed = error.to_string();
