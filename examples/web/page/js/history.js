@@ -1,5 +1,8 @@
 // The energy of a side over the last while.
 
+/** As many are drawn at most. */
+const ROWS = 500;
+
 export class History {
   rows = [];
 
@@ -12,7 +15,9 @@ export class History {
     if (Number.isNaN(ledger.total)) return;
     const last = this.rows.at(-1);
     if (last && time < last.time) this.rows = [];
-    if (last && time === last.time) this.rows.pop();
+    // In slow motion not every picture is a row.
+    const isNear = this.rows.length > 1 && last.time - this.rows.at(-2).time < this.span / ROWS;
+    if (last && (time === last.time || isNear)) this.rows.pop();
     this.rows.push({ time, ...ledger });
     const from = time - this.span;
     if (this.rows.length > 16 && this.rows[8].time < from) this.rows.splice(0, 8);

@@ -14,5 +14,12 @@ export function sharp(canvas) {
   return { context, width, height };
 }
 
+let [known, theme] = [new Map(), undefined];
+
 /** A colour of the style sheet, by the name of its variable. */
-export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+export function colour(name) {
+  const root = document.documentElement;
+  if (theme !== root.dataset.theme) [known, theme] = [new Map(), root.dataset.theme];
+  if (!known.has(name)) known.set(name, getComputedStyle(root).getPropertyValue(`--${name}`).trim());
+  return known.get(name);
+}

@@ -55,7 +55,10 @@ export class Panel {
     this.lesson = ((this.lesson ?? -1) + 1) % lessons.length;
     const [a, b, words] = lessons[this.lesson];
     document.getElementById("lesson").textContent = ` ${words}`;
-    this.app.choose({ a, b });
+    // Long enough for them to differ, short enough for semi-implicit Euler to be stable where the scene begins.
+    this.app.reset();
+    const limit = Math.min(0.02, this.app.sides.list[0].stableStep("semi-implicit-euler"));
+    this.app.choose({ a, b, timeStep: Number((0.6 * limit).toPrecision(2)) });
     this.app.reset();
     this.app.play(true);
   }

@@ -34,6 +34,7 @@ export class Picture {
     app.addEventListener("play", () => this.#buttons());
     app.addEventListener("choice", () => this.#buttons());
     app.addEventListener("picture", () => this.#picture());
+    app.stage.canvas.addEventListener("webglcontextlost", () => toast("The graphics card has been taken away: load the page again.", true));
     this.#buttons();
   }
 

@@ -1,7 +1,7 @@
 // Mouse and touch: on a particle they pull it, beside it they turn the view; two fingers zoom and pan, so do the wheel and
 // the right button.
 
-import { add, cross, direction, dot, scale, subtract, transform } from "../draw/matrices.js";
+import { add, cross, direction, dot, scale, subtract } from "../draw/matrices.js";
 
 /** How near to a particle counts as on it, in pixels of the page. */
 const NEAR = { mouse: 18, touch: 34, pen: 22 };
@@ -44,13 +44,16 @@ export class Pointer {
     const near = (2 * (NEAR[event.pointerType] ?? NEAR.mouse)) / spot.pixels;
     let best;
     for (let i = 0; i < positions.length; i += 3) {
-      const place = [positions[i], positions[i + 1], positions[i + 2]];
-      const [x, y, z, w] = transform(both, place);
+      const [px, py, pz] = [positions[i], positions[i + 1], positions[i + 2]];
+      const w = both[3] * px + both[7] * py + both[11] * pz + both[15];
       if (!(w > 0)) continue;
-      const away = Math.hypot((x / w - spot.x) * spot.aspect, y / w - spot.y);
+      const x = (both[0] * px + both[4] * py + both[8] * pz + both[12]) / w - spot.x;
+      const y = (both[1] * px + both[5] * py + both[9] * pz + both[13]) / w - spot.y;
+      const away = Math.hypot(x * spot.aspect, y);
+      if (!(away < near)) continue;
       // Among those under the pointer the nearest to the eye.
-      const badness = away + 0.3 * near * (z / w);
-      if (away < near && (!best || badness < best.badness)) best = { particle: i / 3, place, badness };
+      const badness = away / near + (0.3 * w) / camera.distance;
+      if (!best || badness < best.badness) best = { particle: i / 3, place: [px, py, pz], badness };
     }
     return best;
   }
