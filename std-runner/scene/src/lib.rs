@@ -26,7 +26,6 @@ mod time_step;
 
 use std::ops::Add;
 use std::path::Path;
-use std::sync::Arc;
 
 use model::Model;
 
@@ -41,9 +40,9 @@ pub use max_error::MaxError;
 pub use names::{CollisionForm, Precision, StepperName};
 #[cfg(feature = "desktop")]
 pub use overrides::Overrides;
-pub use read::Unreadable;
 #[cfg(feature = "desktop")]
 pub use read::text_of_file;
+pub use read::{Texts, Unreadable};
 pub use schema::schema;
 pub use settings::Settings;
 pub use starters::Starter;
@@ -73,10 +72,7 @@ impl Scene {
     ///
     /// # Errors
     /// As if the texts stood in files.
-    pub fn of(
-        path: &Path,
-        text: &mut dyn FnMut(&Path, &str) -> Result<Arc<str>, Unreadable>,
-    ) -> Result<Self, SceneError> {
+    pub fn of(path: &Path, text: Texts<'_>) -> Result<Self, SceneError> {
         let source = Source::of(path, text)?;
         let mut file: SceneFile = source.parse()?;
         let stem = source.path().file_stem().unwrap_or_default().to_string_lossy();

@@ -15,5 +15,5 @@ mod words;
 #[cfg(feature = "desktop")]
 pub use files::text_of_file;
 pub(super) use key_path::KeyPath;
-pub use source::Unreadable;
-pub(super) use source::{Source, Texts};
+pub(super) use source::Source;
+pub use source::{Texts, Unreadable};

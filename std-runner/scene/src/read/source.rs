@@ -28,7 +28,7 @@ pub struct Unreadable {
 }
 
 /// Gives the text of the file at a path, given what that file should be.
-pub(crate) type Texts<'a> = &'a mut dyn FnMut(&Path, &str) -> Result<Arc<str>, Unreadable>;
+pub type Texts<'a> = &'a mut dyn FnMut(&Path, &str) -> Result<Arc<str>, Unreadable>;
 
 /// A scene's text.
 #[derive(Clone, Debug)]
