@@ -3,10 +3,10 @@
 import { add, across, cross, direction, dot, length, lookAt, multiply, perspective, scale, subtract, transform } from "./matrices.js";
 
 const STEEPEST = 1.55;
-/** The shape of picture that a scene's own camera is meant for. */
-const MEANT = 4 / 3;
 /** Room for what lies over the picture at its edges. */
-const ROOM = 1.35;
+const ROOM = 1.2;
+/** This part of a scene's radius is within the picture, however narrow. */
+const WITHIN = 0.85;
 
 export class Camera {
   /** Sees all of a scene, from where the scene says if it does. */
@@ -73,8 +73,9 @@ export class Camera {
 
   /** The matrices for a picture of that width over height; narrow pictures are seen from farther away. */
   see(aspect) {
-    const narrow = Math.max(1, MEANT / Math.max(aspect, 0.4));
-    const angle = 2 * Math.atan(narrow * Math.tan(this.angle / 2));
+    const half = Math.tan(this.angle / 2);
+    const wide = (WITHIN * this.radius) / (this.home.distance * Math.min(aspect, 1));
+    const angle = 2 * Math.atan(Math.min(Math.max(half, wide), 2));
     const view = lookAt(this.eye, this.target, this.up);
     const far = this.distance + 40 * this.radius;
     const projection = perspective(angle, aspect, Math.max(far * 1e-4, this.distance * 0.01), far);

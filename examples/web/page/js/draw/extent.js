@@ -28,7 +28,7 @@ export function extentOf(scene) {
       const p = place(scene.position, i);
       reach = Math.max(reach, Math.min(...from.map((f) => length(subtract(f, p)))));
     }
-    from.forEach((f) => see(subtract(f, scale(up, 1.05 * reach))));
+    from.forEach((f) => see(subtract(f, scale(up, 1.2 * reach))));
   }
   for (const plane of scene.planes) {
     const middle = least.map((x, axis) => (x + most[axis]) / 2);

@@ -7,6 +7,9 @@ export const LAYERS = [
   ["gravitational", "height"], ["kinetic", "motion"], ["elastic", "springs"], ["lostToDamping", "lost to damping"], ["lostInImpacts", "lost in impacts"],
 ];
 
+/** s, what the axis of time shows at least. */
+const SHORTEST = 0.5;
+
 /** The axis that all sides share: what the first moments hold, with room above. */
 export function energyScale(histories, before) {
   const rows = histories.flatMap((history) => history.rows);
@@ -25,8 +28,9 @@ export function energyScale(histories, before) {
 
 export function drawEnergy(canvas, history, { floor, most }, mark) {
   const { context, width, height } = sharp(canvas);
-  const { rows, span } = history;
+  const { rows } = history;
   if (rows.length === 0) return;
+  const span = Math.min(history.span, Math.max(SHORTEST, 1.2 * (rows.at(-1).time - rows[0].time)));
   const end = Math.max(rows.at(-1).time, rows[0].time + span);
   const x = (time) => width - ((end - time) / span) * width;
   const y = (energy) => height - 1 - (Math.max(-0.05, Math.min(1.2, energy / most)) * (height - 1));
