@@ -30,7 +30,8 @@ export class Side {
     this.world = world;
     this.#pace(choices);
     world.stepper = stepper;
-    this.start = world.energy().total;
+    // The ledger opens here, before the first step.
+    world.energy();
   }
 
   #pace({ timeStep, tolerance, collision }) {

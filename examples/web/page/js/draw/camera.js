@@ -1,6 +1,6 @@
 // An eye that turns round a target, and is never upside down.
 
-import { add, across, cross, direction, dot, length, lookAt, multiply, perspective, scale, subtract, transform } from "./matrices.js";
+import { add, across, cross, direction, dot, length, lookAt, multiply, perspective, scale, subtract } from "./matrices.js";
 
 const STEEPEST = 1.55;
 /** Room for what lies over the picture at its edges. */
@@ -80,11 +80,5 @@ export class Camera {
     const far = this.distance + 40 * this.radius;
     const projection = perspective(angle, aspect, Math.max(far * 1e-4, this.distance * 0.01), far);
     return { view, projection, both: multiply(projection, view), angle };
-  }
-
-  /** How deep a place lies: what one has to multiply a picture's height by, at that depth, to get metres. */
-  metresPerHeight(sight, place) {
-    const depth = transform(sight.both, place)[3];
-    return 2 * depth * Math.tan(sight.angle / 2);
   }
 }

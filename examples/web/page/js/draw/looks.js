@@ -1,6 +1,6 @@
 // The colours of what is drawn, the desktop's own in the light.
 
-const colour = (...bytes) => bytes.map((byte) => (byte / 255) ** 1.0);
+const colour = (...bytes) => bytes.map((byte) => byte / 255);
 
 const BALLS = [[240, 158, 30], [38, 160, 164], [146, 98, 200], [226, 96, 112], [66, 128, 220], [120, 174, 64]].map(
   (ball) => colour(...ball),

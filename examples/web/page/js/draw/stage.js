@@ -1,7 +1,7 @@
 // Draws the sides next to each other, all from one eye.
 
 import { LOOKS, particleLooks } from "./looks.js";
-import { add, direction, dot, subtract, transform } from "./matrices.js";
+import { add, direction, dot, subtract } from "./matrices.js";
 import { CORNER, Program } from "./program.js";
 import * as shaders from "./shaders.js";
 import { Shadows } from "./shadows.js";
@@ -113,7 +113,7 @@ export class Stage {
 
   #things(side, { view, projection }, halfPixel, isShadow) {
     const { gl, looks, extent } = this;
-    const inView = (v) => transform(view, add(v, [0, 0, 0])).slice(0, 3).map((x, i) => x - view[12 + i]);
+    const inView = ([x, y, z]) => [0, 1, 2].map((row) => view[row] * x + view[4 + row] * y + view[8 + row] * z);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, side.texture);
     const common = {

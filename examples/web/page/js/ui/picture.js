@@ -1,5 +1,6 @@
 // What lies over the picture: the scene's name, labels of the sides, time; and hands, keys, links.
 
+import { NOTHING_CHOSEN } from "../choices.js";
 import { SHIPPED } from "../shipped.js";
 import { stepperOf } from "../steppers.js";
 import { short } from "../words.js";
@@ -50,7 +51,7 @@ export class Picture {
   async #open(file) {
     if (!file) return;
     const { a, b, speed } = this.app.chosen;
-    await this.app.open({ ...BLANK, scene: file, a: a === "desktop" ? null : a, b, speed }).catch((error) => toast(error.message, true));
+    await this.app.open({ ...NOTHING_CHOSEN, scene: file, a: a === "desktop" ? null : a, b, speed }).catch((error) => toast(error.message, true));
     this.app.play(true);
   }
 
@@ -113,8 +114,3 @@ export class Picture {
     });
   }
 }
-
-const BLANK = {
-  text: null, meshes: {}, timeStep: null, stiffness: 1, damping: 1, restitution: null, gravity: 1, collision: null,
-};
-
