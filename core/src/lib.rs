@@ -58,6 +58,8 @@
 //! - `std`: square roots from the standard library. Without it they are the machine's own all the same, to the same bits,
 //!   on x86-64, AArch64, WebAssembly and, in `f32`, on Arm with a floating-point unit (`eabihf`); elsewhere they are
 //!   libm's.
+//! - `small`: less code in place of speed, for flash. There are no second copies of loops, for diagonals, threads and springs
+//!   without damping, and nothing that a program does can panic, on a Cortex-M at least. The same bits.
 //!
 //! On WebAssembly, build with `-C target-feature=+simd128`: without it roots are `f32.sqrt` too, one at a time.
 #![cfg_attr(not(feature = "std"), no_std)]
