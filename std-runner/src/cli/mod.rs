@@ -3,6 +3,7 @@
 mod arguments;
 mod bench;
 mod check;
+mod export;
 mod failure;
 mod figures;
 mod format;
@@ -55,6 +56,7 @@ impl Arguments {
             Verb::Check(check) => check::check(&check),
             Verb::Bench(bench) => bench::bench(&bench),
             Verb::Stress(stress) => stress::stress(&stress),
+            Verb::Export(export) => export::export(&export),
             Verb::New(new) => new::new(&new),
             Verb::Schema => print::data(crate::scene::schema() + "\n"),
             Verb::Completions { shell } => {
