@@ -6,6 +6,7 @@ pub mod bench;
 pub mod chart;
 pub mod cli;
 pub mod draw;
+pub mod export;
 pub mod record;
 pub mod report;
 pub mod simulate;

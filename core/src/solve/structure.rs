@@ -4,7 +4,7 @@ use super::ordering::{NONE, Ordering};
 use super::worth::Elimination;
 use crate::Real;
 use crate::vectors::{at, put};
-use crate::world::System;
+use crate::world::{System, exchange, sort};
 
 /// The structure of a factor, turn by turn.
 #[derive(Clone, Copy)]
@@ -48,7 +48,11 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
         for row in column.iter_mut() {
             *row = at(turn_of, *row);
         }
-        column.sort_unstable();
+        if cfg!(feature = "small") {
+            sort(column, *end - start, |rows, first, second| at(rows, first) < at(rows, second), exchange);
+        } else {
+            column.sort_unstable();
+        }
         let entries = f64::from(*end - start);
         // Each entry is divided by its pivot, and multiplied with itself and with those below it.
         elimination.products += 1.0 + entries + 0.5 * entries * (entries + 1.0);

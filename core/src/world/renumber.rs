@@ -95,7 +95,9 @@ pub fn renumber<R: Real, M: Storage>(
             reach: renumbered.reach.max(reach),
         };
     }
-    incidence_end.items_mut().copy_from_slice(particle_at.items());
+    for (new_slot, found) in incidence_end.items_mut().iter_mut().zip(particle_at.items()) {
+        *new_slot = *found;
+    }
     for (particle, slot) in (0..).zip(slot_of.items()) {
         put(particle_at.items_mut(), *slot, particle);
     }

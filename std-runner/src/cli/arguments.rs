@@ -42,6 +42,18 @@ Examples:
 
 Warnings do not change the exit code: 0 if the scene can be run, 2 if it is wrong.";
 
+const EXPORT_EXAMPLES: &str = "\
+Examples:
+  hooke export rope.toml --firmware --out src/rope.rs             a module for a program that uses the crate hooke
+  hooke export rope.toml --firmware --out - --precision f32       to standard output
+
+The module holds the particles, springs and planes of the scene in its precision, in the shortest text that reads back to
+the same bits, its gravity, stepper and collision form, and the length and end of every step. A world that is filled and
+stepped as it says ends with the digest that `hooke run SCENE --digest` tells. Keyframes, max_error, steps that the stepper
+chooses itself, and f32-compensated are refused.
+
+Exit codes: 0 done, 1 the file could not be written, 2 the input is wrong.";
+
 const BENCH_EXAMPLES: &str = "\
 Examples:
   hooke bench cloth.toml                                    which stepper is fastest for each error
@@ -125,6 +137,9 @@ pub(super) enum Verb {
     /// See a scene move in the browser, while it is simulated.
     #[command(after_help = VIEW_EXAMPLES)]
     View(ViewArguments),
+    /// Write a scene as source of a program that steps it elsewhere.
+    #[command(after_help = EXPORT_EXAMPLES)]
+    Export(ExportArguments),
     /// Write a scene to start from.
     #[command(after_help = NEW_EXAMPLES)]
     New(NewArguments),
@@ -216,6 +231,20 @@ pub(super) struct ViewArguments {
     /// Do not open the browser; the address is printed.
     #[arg(long)]
     pub(super) no_open: bool,
+    #[command(flatten, next_help_heading = "In place of what the scene says")]
+    pub(super) overrides: Overrides,
+}
+
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct ExportArguments {
+    /// The scene file, TOML or JSON.
+    pub(super) scene: PathBuf,
+    /// Rust source for a program without files and heap: constants, and functions that make a world of them.
+    #[arg(long, required = true)]
+    pub(super) firmware: bool,
+    /// Where to write to, a file that ends in .rs; - is standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) out: PathBuf,
     #[command(flatten, next_help_heading = "In place of what the scene says")]
     pub(super) overrides: Overrides,
 }

@@ -3,6 +3,7 @@
 mod arguments;
 mod bench;
 mod check;
+mod export;
 mod failure;
 mod figures;
 mod format;
@@ -57,6 +58,7 @@ impl Arguments {
             Verb::Bench(bench) => bench::bench(&bench),
             Verb::Stress(stress) => stress::stress(&stress),
             Verb::View(view) => view::view(&view),
+            Verb::Export(export) => export::export(&export),
             Verb::New(new) => new::new(&new),
             Verb::Schema => print::data(crate::scene::schema() + "\n"),
             Verb::Completions { shell } => {

@@ -1,0 +1,43 @@
+//! `hooke export`: a scene as source of a program.
+
+use std::fs;
+
+use super::Outcome;
+use super::arguments::ExportArguments;
+use super::failure::Failure;
+use super::outputs::{check_place, is_standard_output};
+use super::print;
+use super::scene::Loaded;
+use crate::export::firmware;
+use crate::scene::Precision;
+
+pub(super) fn export(arguments: &ExportArguments) -> Result<Outcome, Failure> {
+    let loaded = Loaded::load(&arguments.scene, &arguments.overrides)?;
+    let (model, settings) = (&loaded.model, loaded.scene.settings());
+    let start = loaded.start()?;
+    let exported = match settings.precision {
+        Precision::F64 => firmware::<f64>(model, settings, &start, "f64"),
+        // What is stepped in neither is refused.
+        Precision::F32 | Precision::F32Compensated => firmware::<f32>(model, settings, &start, "f32"),
+    };
+    let text = exported.map_err(|refused| {
+        let message = format!("{} cannot be exported: {refused}", arguments.scene.display());
+        Failure::input(message, refused.remedy)
+    })?;
+    if is_standard_output(&arguments.out) {
+        return print::data(text);
+    }
+    let shown = arguments.out.display();
+    if arguments.out.extension().is_none_or(|ending| ending != "rs") {
+        let message = format!("{shown} does not end in .rs: what is exported is Rust source");
+        return Err(Failure::input(message, format!("call it {}", arguments.out.with_extension("rs").display())));
+    }
+    check_place(&arguments.out, "--out")?;
+    fs::write(&arguments.out, text)
+        .map_err(|error| Failure::failed(format!("cannot write {shown}: {error}"), "choose another place"))?;
+    print::message(&format!(
+        "wrote {shown}: {} steps; `mod` it beside a program that uses hooke",
+        start.schedule.steps()
+    ));
+    Ok(Outcome::Done)
+}
