@@ -97,7 +97,7 @@ test("a hand on a particle pulls it; beside one it turns the view", async () => 
 test("side by side explicit Euler explodes, says where and when, and the other goes on", async () => {
   const { page, complaints, close } = await open(browser, server.url);
   await choose(page, { a: "explicit-euler", b: "semi-implicit-euler", timeStep: 1e-3 });
-  await page.evaluate(() => hookePage.step(500));
+  await page.evaluate(() => (hookePage.play(false), hookePage.reset(), hookePage.step(500)));
   await pictures(page, 2);
   const [first, second] = await page.evaluate(() => hookePage.sides.list.map(({ stopped, time, steps, positions }) => ({ stopped, time, steps, finite: positions.every(Number.isFinite) })));
   assert.match(first.stopped.words, /exploded at particle \d+ in the step after \d+ ms/);
