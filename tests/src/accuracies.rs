@@ -125,9 +125,11 @@ impl Known {
         let open = Settings { stepper: StepperName::Auto, time_step: TimeStep::Auto, ..self.settings.clone() };
         let settings = Settings { precision: Precision::F64, max_error: None, ..open };
         let interrupted = AtomicBool::new(false);
-        let Aim::Found(aimed) = aim(&self.model, &settings, &interrupted).expect("a run") else {
-            panic!("{}: nothing was found", self.name)
+        let found = match aim(&self.model, &settings, &interrupted).expect("a run") {
+            Aim::Found(aimed) => Some(*aimed),
+            Aim::Given | Aim::Lost | Aim::Interrupted => None,
         };
+        let aimed = found.expect("a scene that leaves something open, and that can be stepped");
         let error = self.ran(&aimed.settings, aimed.error);
         (aimed, error)
     }
@@ -140,7 +142,8 @@ impl Known {
     pub fn ran(&self, settings: &Settings, error: f64) -> f64 {
         let states = Keep::default();
         let interrupted = AtomicBool::new(false);
-        let options = Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
+        let options =
+            Options { ledger: false, digest: false, threads: Some(1), interrupted: &interrupted, progress: &Silent };
         let begin = |start: &Start| states.begin::<f64>(start, settings);
         simulate::<f64>(&self.model, settings, begin, &options).expect("a run");
         let states = std::mem::take(&mut *states.0.lock().expect("nobody panics with it"));

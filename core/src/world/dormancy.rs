@@ -15,12 +15,15 @@ use crate::vectors::{at, put};
 /// Gives islands slots of their own: `islands::arrange`.
 pub type Arrange<R, M> = fn(&mut ParticleColumns<R, M>, &mut SpringColumns<R, M>, usize, bool) -> (Layout, bool);
 
+/// Wakes what a change to a slot concerns: `touch`.
+pub type Touch<R, M> = fn(&mut ParticleColumns<R, M>, &SpringColumns<R, M>, u32) -> bool;
+
 /// When islands sleep, and what that takes.
 pub struct Dormancy<R: Real, M: Storage> {
     pub sleeping: Sleeping<R>,
     pub arrange: Arrange<R, M>,
     pub settle: fn(&mut ParticleColumns<R, M>, u32, usize),
-    pub touch: fn(&mut ParticleColumns<R, M>, &SpringColumns<R, M>, u32) -> bool,
+    pub touch: Touch<R, M>,
 }
 
 impl<R: Real, M: Storage> Dormancy<R, M> {

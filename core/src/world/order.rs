@@ -61,9 +61,9 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, inverse_mas
 /// What springs are ordered by. In two numbers, which take less to compare than six words: a tile's leaves eight bits.
 #[cfg_attr(feature = "small", inline(never))]
 fn key<R: Real>([i, j]: [u32; 2], number: u32, inverse_mass: &[R], asleep: u32) -> (u64, u64) {
-    let last = u32::from(j >= asleep) << 31 | u32::from(is_idle([i, j], inverse_mass)) << 30;
-    let words = |high: u32, low: u32| u64::from(high) << 32 | u64::from(low);
-    (words(last | i / TILE, u32::MAX - (j - i)), words(i, number))
+    let last = (u32::from(j >= asleep) << 31) | (u32::from(is_idle([i, j], inverse_mass)) << 30);
+    let words = |high: u32, low: u32| (u64::from(high) << 32) | u64::from(low);
+    (words(last | (i / TILE), u32::MAX - (j - i)), words(i, number))
 }
 
 /// Whether a spring moves nothing, as both its ends are held.

@@ -33,7 +33,7 @@ pub enum Aim {
     /// Nothing is open: a stepper or a time step is given, or nothing but flight, which is exact.
     Given,
     /// It was found.
-    Found(Aimed),
+    Found(Box<Aimed>),
     /// Pilot runs left the finite numbers; the stability bound alone is left to go by.
     Lost,
     /// It was ended from outside.
@@ -89,7 +89,7 @@ pub fn aim(model: &Model, settings: &Settings, interrupted: &AtomicBool) -> Resu
         let time_step = two_digits_below(time_step.min(LONGEST).min(settings.duration));
         Settings { time_step: TimeStep::Seconds(time_step), ..settings.clone() }
     };
-    Ok(Aim::Found(Aimed { settings, error: aimed_at(model), prefix: pilots.settings.duration }))
+    Ok(Aim::Found(Box::new(Aimed { settings, error: aimed_at(model), prefix: pilots.settings.duration })))
 }
 
 /// What a stepper is expected to take.
