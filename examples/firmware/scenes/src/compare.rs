@@ -107,23 +107,18 @@ pub fn many(worlds: &mut Many, tell: &mut impl Tell) {
 pub struct Few {
     rope: World<f32, 8, 7, 0>,
     cloth: World<f32, 16, 58, 0>,
-    balls: World<f32, 4, 0, 1>,
 }
 
 impl Few {
     /// Empty ones.
-    pub const EMPTY: Self = Self { rope: World::new(), cloth: World::new(), balls: World::new() };
+    pub const EMPTY: Self = Self { rope: World::new(), cloth: World::new() };
 }
 
-/// What fits into 16 KiB of RAM: four explicit steppers on a rope of 8, a cloth of 4 × 4 and 4 bouncing balls.
+/// For 16 KiB of RAM: four explicit steppers on a rope of 8 and a cloth of 4 × 4.
 pub fn few(worlds: &mut Few, tell: &mut impl Tell) {
     let [_, steps] = STEPS;
-    let Few { rope: short, cloth: hanging, balls: bouncing } = worlds;
+    let Few { rope: short, cloth: hanging } = worlds;
     Run { scene: "rope of 8, f32", steps, world: short, fill: rope, response: || Project }.by_explicit(tell);
     Run { scene: "cloth 4x4, f32", steps, world: hanging, fill: |world: &mut _| cloth(world, 4), response: || Project }
-        .by_explicit(tell);
-    Run { scene: "4 balls, f32, project", steps, world: bouncing, fill: balls, response: || Project }.by_explicit(tell);
-    let located = TimeOfImpact::<f32, Fixed<4, 0, 1>>::new;
-    Run { scene: "4 balls, f32, time-of-impact", steps, world: bouncing, fill: balls, response: located }
         .by_explicit(tell);
 }
