@@ -32,7 +32,9 @@ pub trait Stepper<R: Real> {
         most
     }
 
-    /// Whether it does.
+    /// Whether it does. A stepper whose [`advance_up_to`](Self::advance_up_to) may return less than `most` has to say so here:
+    /// what others return is taken for the whole step without a look, so that nothing of steps in parts is in a program that
+    /// takes none.
     fn chooses_parts(&self) -> bool {
         false
     }

@@ -136,7 +136,22 @@ fn check_says_who_chooses_the_steps() {
     assert!(checked.contains("chosen by dop853 to a tolerance of 1e-6: errors of 500 nm in each at most"), "{checked}");
     assert!(checked.contains("nothing to warn of"), "{checked}");
     let auto = folder.hooke(&["check", "scene.toml", "--time-step", "auto"]).exits(0).output();
-    assert!(auto.contains("(chosen)") && !auto.contains("chosen by"), "{auto}");
+    assert!(auto.contains("found by pilot runs that aim at errors of 500 µm") && !auto.contains("chosen by"), "{auto}");
+    let verlet = folder.hooke(&["check", "scene.toml", "--time-step", "auto", "--stepper", "velocity-verlet"]);
+    let verlet = verlet.exits(0).output();
+    assert!(verlet.contains("(chosen)") && !verlet.contains("chosen by"), "{verlet}");
+}
+
+#[test]
+fn what_is_left_open_is_found_and_told() {
+    let folder = Folder::with(ROPE);
+    let open = folder.hooke(&["run", "scene.toml", "--time-step", "auto"]).exits(0);
+    open.tells(&["found", "below 500 µm", "--max-error follows them"]);
+    // Where either is given nothing is looked for.
+    for given in [["--time-step", "1e-3"], ["--stepper", "velocity-verlet"]] {
+        let answer = folder.hooke(&["run", "scene.toml", given[0], given[1]]).exits(0);
+        assert!(!answer.error().contains("found"), "{}", answer.error());
+    }
 }
 
 #[test]

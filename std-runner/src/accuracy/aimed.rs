@@ -25,6 +25,8 @@ pub struct Aimed {
     pub error: f64,
     /// How long pilot runs were, s of simulated time; 0 where the run is too short for them.
     pub prefix: f64,
+    /// What rounding alone may come to by the end, m; 0 where the precision is not `f32`.
+    pub rounding: f64,
 }
 
 /// How an aim came out.
@@ -83,13 +85,15 @@ pub fn aim(model: &Model, settings: &Settings, interrupted: &AtomicBool) -> Resu
         .map(|shown| expected(shown, allowed, &pilots))
         .min_by(|one, other| one.cost.total_cmp(&other.cost));
     let Some(Expected { stepper, time_step, .. }) = found else { return Ok(Aim::Lost) };
+    let rounding = shown.first().filter(|_| settings.precision == Precision::F32).map_or(0.0, |shown| shown.rounding);
     let settings = if stepper == best {
         Settings { stepper, tolerance: settings.tolerance.min(TOLERANCE * GOAL), ..settings.clone() }
     } else {
         let time_step = two_digits_below(time_step.min(LONGEST).min(settings.duration));
         Settings { time_step: TimeStep::Seconds(time_step), ..settings.clone() }
     };
-    Ok(Aim::Found(Box::new(Aimed { settings, error: aimed_at(model), prefix: pilots.settings.duration })))
+    let prefix = pilots.settings.duration;
+    Ok(Aim::Found(Box::new(Aimed { settings, error: aimed_at(model), prefix, rounding })))
 }
 
 /// What a stepper is expected to take.
