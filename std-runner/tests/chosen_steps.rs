@@ -146,7 +146,9 @@ fn check_says_who_chooses_the_steps() {
 fn what_is_left_open_is_found_and_told() {
     let folder = Folder::with(ROPE);
     let open = folder.hooke(&["run", "scene.toml", "--time-step", "auto"]).exits(0);
-    open.tells(&["found", "below 500 µm", "--max-error follows them"]);
+    open.tells(&["found", "below 500 µm", "without pilot runs"]);
+    let longer = folder.hooke(&["run", "scene.toml", "--time-step", "auto", "--duration", "3"]).exits(0);
+    longer.tells(&["found", "below 500 µm", "in pilot runs of", "--max-error follows them"]);
     // Where either is given nothing is looked for.
     for given in [["--time-step", "1e-3"], ["--stepper", "velocity-verlet"]] {
         let answer = folder.hooke(&["run", "scene.toml", given[0], given[1]]).exits(0);
