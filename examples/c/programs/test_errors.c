@@ -107,9 +107,59 @@ static void numbers(void)
     free(memory);
 }
 
+/* Where a snapshot has three doubles of gravity and five of a ledger: behind eight letters, eight words, and two doubles. */
+enum { GRAVITY = 56, DOUBLES = 8 };
+
+/* A snapshot of which one number is past what the world holds is refused as a whole. */
+static void restoring(void)
+{
+    size_t size = hooke_size_of(HOOKE_PRECISION_F32, 1, 0, 0);
+    void *memory = aligned_alloc(64, (size + 63) / 64 * 64);
+    hooke_world *world = NULL;
+    EXPECT_OK(hooke_create(memory, size, HOOKE_PRECISION_F32, 1, 0, 0, &world));
+    EXPECT_OK(hooke_add_particle(world, 0, 0, 1, 0, 0, 0, 1, HOOKE_HOLD_FREE, NULL));
+    EXPECT_OK(hooke_set_gravity(world, 0, 0, -8));
+    EXPECT_OK(hooke_open_ledger(world));
+    size_t length = hooke_snapshot_size(world);
+    uint8_t *kept = (uint8_t *)malloc(length);
+    uint8_t *before = (uint8_t *)malloc(length);
+    uint8_t *after = (uint8_t *)malloc(length);
+    EXPECT_OK(hooke_snapshot(world, kept, length));
+    double gravity = 0.0;
+    memcpy(&gravity, kept + GRAVITY + 2 * sizeof gravity, sizeof gravity);
+    EXPECT(gravity == -8.0);
+    /* Elsewhere, so that what is half put back shows. */
+    EXPECT_OK(hooke_step(world, 0.5, 3, NULL));
+    EXPECT_OK(hooke_snapshot(world, before, length));
+    EXPECT(memcmp(before, kept, length) != 0);
+    for (size_t place = 0; place < DOUBLES; place++) {
+        /* Single precision ends at 3.4e38; what a ledger has come to is in doubles, and takes any finite one. */
+        const double wrong[] = { NAN, INFINITY, 1e300 };
+        for (size_t each = 0; each < (place < 3 ? 3 : 2); each++) {
+            uint8_t *number = kept + GRAVITY + place * sizeof *wrong;
+            uint8_t right[sizeof *wrong];
+            memcpy(right, number, sizeof right);
+            memcpy(number, &wrong[each], sizeof right);
+            EXPECT_CODE(hooke_restore(world, kept, length), HOOKE_CODE_SNAPSHOT);
+            EXPECT_OK(hooke_snapshot(world, after, length));
+            EXPECT(memcmp(before, after, length) == 0);
+            memcpy(number, right, sizeof right);
+        }
+    }
+    EXPECT_OK(hooke_restore(world, kept, length));
+    EXPECT_OK(hooke_snapshot(world, after, length));
+    EXPECT(memcmp(kept, after, length) == 0);
+    EXPECT_OK(hooke_destroy(world));
+    free(kept);
+    free(before);
+    free(after);
+    free(memory);
+}
+
 int main(void)
 {
     memory_and_pointers();
     numbers();
+    restoring();
     return conclude("errors");
 }
