@@ -1,6 +1,7 @@
 // A world: one block of the module's memory, and a workspace for what steps it.
 
 import { HookeError, NOBODY, WORKSPACE, wrong } from "./error.js";
+import { LINE } from "./memory.js";
 import { distance, flatParticles, flatSprings, holdNumber, isCapacity } from "./model.js";
 import { COLLISIONS, HOLDS, STEPPERS } from "./names.js";
 import { LEDGER, REPORT, both, readLedger, readReport } from "./report.js";
@@ -166,13 +167,13 @@ export class World {
     if (bytes > this.#workspaceBytes) this.#widen(bytes);
   }
 
-  /** Another workspace; the stepper begins anew. */
+  /** Another workspace; the stepper begins anew. Without memory for it there is still the one before. */
   #widen(bytes) {
+    const workspace = this.#memory.take(bytes);
+    this.#check(this.#call.hooke_set_workspace(this.#world, workspace, bytes, 0));
     this.#memory.give(this.#workspace);
-    this.#workspaceBytes = 0;
-    this.#workspace = this.#memory.take(bytes);
+    this.#workspace = workspace;
     this.#workspaceBytes = bytes;
-    this.#check(this.#call.hooke_set_workspace(this.#world, this.#workspace, bytes, 0));
   }
 
   // What is told.
@@ -259,7 +260,7 @@ export class World {
       left -= taken.steps;
       if (code === WORKSPACE) {
         // How large a factor is turns out when it is made: then the step has not been taken.
-        this.#widen(2 * this.#workspaceBytes);
+        this.#widen(Math.max(2 * this.#workspaceBytes, LINE));
         continue;
       }
       if (code !== 0) this.#read();
