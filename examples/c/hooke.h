@@ -406,6 +406,14 @@ hooke_code hooke_set_stepper(hooke_world *world,
 // Chooses what happens at planes; the stepper begins anew.
 hooke_code hooke_set_collision(hooke_world *world, uint32_t collision);
 
+// Writes what has been chosen, which `hooke_restore` may have changed: the stepper, its tolerance, the form of collision, and
+// 1 if a ledger is open, else 0. Each of the pointers may be null.
+hooke_code hooke_choices(hooke_world *world,
+                         uint32_t *stepper,
+                         double *tolerance,
+                         uint32_t *collision,
+                         uint32_t *has_ledger);
+
 // Takes `count` steps of `dt` seconds. After an error the state is that of the last step that could be taken; the report,
 // which may be null, is of those that were.
 hooke_code hooke_step(hooke_world *world,
@@ -454,7 +462,8 @@ hooke_code hooke_snapshot(hooke_world *world,
                           size_t size);
 
 // Puts a snapshot back: of a world with the same number of particles, the same springs and planes, in the same precision.
-// Other bytes are refused, and change nothing.
+// Stepper, tolerance, form of collision and ledger are those of the snapshot then: `hooke_choices` tells them. Other bytes are
+// refused, and change nothing.
 hooke_code hooke_restore(hooke_world *world,
                          const uint8_t *bytes,
                          size_t size);

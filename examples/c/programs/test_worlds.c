@@ -124,6 +124,13 @@ static void keep(const model *cloth, hooke_world *world, uint32_t precision, uin
     uint8_t *bytes = (uint8_t *)malloc(size);
     void *memory = NULL;
     hooke_world *other = create(cloth, precision, stepper, form, &memory);
+    uint32_t chosen[3] = { 99, 99, 99 };
+    double tolerance = 0.0;
+    EXPECT_OK(hooke_open_ledger(world));
+    EXPECT_OK(hooke_set_stepper(other, HOOKE_STEPPER_EXPLICIT_EULER, 1e-3));
+    EXPECT_OK(hooke_set_collision(other, (form + 1) % 3));
+    EXPECT_OK(hooke_choices(other, NULL, NULL, NULL, &chosen[2]));
+    EXPECT(chosen[2] == 0);
     EXPECT_CODE(hooke_snapshot(world, bytes, size - 1), HOOKE_CODE_LENGTH);
     EXPECT_OK(hooke_snapshot(world, bytes, size));
     uint64_t kept = digest(world);
@@ -132,6 +139,8 @@ static void keep(const model *cloth, hooke_world *world, uint32_t precision, uin
     EXPECT(later != kept);
     EXPECT_CODE(hooke_restore(other, bytes, size - 1), HOOKE_CODE_SNAPSHOT);
     EXPECT_OK(hooke_restore(other, bytes, size));
+    EXPECT_OK(hooke_choices(other, &chosen[0], &tolerance, &chosen[1], &chosen[2]));
+    EXPECT(chosen[0] == stepper && tolerance == 1e-6 && chosen[1] == form && chosen[2] == 1);
     EXPECT(digest(other) == kept);
     EXPECT_OK(hooke_step(other, dt, 100, NULL));
     EXPECT(digest(other) == later);

@@ -184,7 +184,10 @@ export class World {
 
   /** All that it takes to go on from here, to the bit. */
   snapshot(): Uint8Array;
-  /** Puts a snapshot back: of a world with the same particles, springs and planes. */
+  /**
+   * Puts a snapshot back: of a world with the same particles, springs and planes. Stepper, form of collision, tolerance and
+   * energy ledger are those of the snapshot then; the time step stays.
+   */
   restore(bytes: Uint8Array): void;
   /** One number for all positions and velocities: 16 hexadecimal digits, the same on every machine. */
   digest(): string;

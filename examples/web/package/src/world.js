@@ -362,6 +362,19 @@ export class World {
     }
     this.#owed = 0;
     this.#placed();
+    this.#learn();
+  }
+
+  /** What has been chosen is that of the snapshot, and may need another workspace. */
+  #learn() {
+    const room = this.#room;
+    this.#check(this.#call.hooke_choices(this.#world, room, room + 8, room + 16, room + 20));
+    const view = new DataView(this.#memory.buffer, room);
+    this.#stepper = STEPPERS[view.getUint32(0, true)];
+    this.#tolerance = view.getFloat64(8, true);
+    this.#collision = COLLISIONS[view.getUint32(16, true)];
+    this.#follows = view.getUint32(20, true) === 1;
+    this.#choose();
   }
 
   digest() {
