@@ -391,7 +391,16 @@ hooke_code hooke_spring(hooke_world *world,
                         double *damping,
                         double *rest_length);
 
-// Multiplies the stiffness and the damping of all springs.
+// Gives all springs other parameters, by number: N/m, N s/m, m. A null pointer leaves those as they are. `count` is how many
+// springs there are. It takes about as long as one `hooke_set_spring`. An error names the first spring that is refused; none
+// is changed then.
+hooke_code hooke_set_springs(hooke_world *world,
+                             uint32_t count,
+                             const double *stiffness,
+                             const double *damping,
+                             const double *rest_length);
+
+// Multiplies the stiffness and the damping of all springs, as they are now.
 hooke_code hooke_scale_springs(hooke_world *world, double stiffness, double damping);
 
 // Sets the restitution of a plane, from 0 to 1.

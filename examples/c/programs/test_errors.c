@@ -82,6 +82,12 @@ static void numbers(void)
     EXPECT_CODE(hooke_set_spring(world, 1, 1, 1, 1), HOOKE_CODE_NO_SUCH_SPRING);
     EXPECT_CODE(hooke_set_spring(world, 0, 1, 1, -1), HOOKE_CODE_REST_LENGTH);
     EXPECT_CODE(hooke_scale_springs(world, -1, 1), HOOKE_CODE_STIFFNESS);
+    EXPECT_CODE(hooke_set_springs(world, 2, NULL, NULL, NULL), HOOKE_CODE_LENGTH);
+    value = -1.0;
+    EXPECT_CODE(hooke_set_springs(world, 1, NULL, &value, NULL), HOOKE_CODE_DAMPING);
+    EXPECT(hooke_culprit(world) == 0);
+    EXPECT_OK(hooke_spring(world, 0, NULL, &value, NULL));
+    EXPECT(value == 0.0);
     EXPECT_CODE(hooke_set_restitution(world, 1, 0.5), HOOKE_CODE_NO_SUCH_PLANE);
     EXPECT_CODE(hooke_set_stepper(world, 12, 1e-6), HOOKE_CODE_NO_SUCH_OPTION);
     EXPECT_CODE(hooke_set_stepper(world, HOOKE_STEPPER_RK4, 0.0), HOOKE_CODE_TOLERANCE);
