@@ -261,7 +261,8 @@ size_t hooke_size_of(uint32_t precision,
                      uint32_t springs,
                      uint32_t planes);
 
-// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option.
+// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option, and
+// without `std` while another call is under way.
 //
 // Implicit steppers, and `HOOKE_STEPPER_AUTO` where it turns to one, solve their linear systems by a factorisation where that
 // is less work. A factor has blocks: as many as there are springs are enough for ropes, chains and trees, 16 times as many for a
@@ -287,7 +288,8 @@ hooke_code hooke_create(void *memory,
 // Ends a world: its memory is the caller's again.
 hooke_code hooke_destroy(hooke_world *world);
 
-// The number of the particle, spring or plane that the last error of a world was about; `UINT32_MAX` if of none.
+// The number of the particle, spring or plane that the last error of a world was about; `UINT32_MAX` if of none, and
+// without `std` while another call is under way.
 uint32_t hooke_culprit(const hooke_world *world);
 
 // Gives a world another workspace; the stepper and the collisions begin anew. `without_factor` is 1 if implicit steps
