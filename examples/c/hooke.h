@@ -261,7 +261,8 @@ size_t hooke_size_of(uint32_t precision,
                      uint32_t springs,
                      uint32_t planes);
 
-// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option.
+// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option, and
+// without `std` while another call is under way.
 //
 // Implicit steppers, and `HOOKE_STEPPER_AUTO` where it turns to one, solve their linear systems by a factorisation where that
 // is less work. A factor has blocks: as many as there are springs are enough for ropes, chains and trees, 16 times as many for a
@@ -287,7 +288,8 @@ hooke_code hooke_create(void *memory,
 // Ends a world: its memory is the caller's again.
 hooke_code hooke_destroy(hooke_world *world);
 
-// The number of the particle, spring or plane that the last error of a world was about; `UINT32_MAX` if of none.
+// The number of the particle, spring or plane that the last error of a world was about; `UINT32_MAX` if of none, and
+// without `std` while another call is under way.
 uint32_t hooke_culprit(const hooke_world *world);
 
 // Gives a world another workspace; the stepper and the collisions begin anew. `without_factor` is 1 if implicit steps
@@ -391,7 +393,16 @@ hooke_code hooke_spring(hooke_world *world,
                         double *damping,
                         double *rest_length);
 
-// Multiplies the stiffness and the damping of all springs.
+// Gives all springs other parameters, by number: N/m, N s/m, m. A null pointer leaves those as they are. `count` is how many
+// springs there are. It takes about as long as one `hooke_set_spring`. An error names the first spring that is refused; none
+// is changed then.
+hooke_code hooke_set_springs(hooke_world *world,
+                             uint32_t count,
+                             const double *stiffness,
+                             const double *damping,
+                             const double *rest_length);
+
+// Multiplies the stiffness and the damping of all springs, as they are now.
 hooke_code hooke_scale_springs(hooke_world *world, double stiffness, double damping);
 
 // Sets the restitution of a plane, from 0 to 1.
@@ -405,6 +416,14 @@ hooke_code hooke_set_stepper(hooke_world *world,
 
 // Chooses what happens at planes; the stepper begins anew.
 hooke_code hooke_set_collision(hooke_world *world, uint32_t collision);
+
+// Writes what has been chosen, which `hooke_restore` may have changed: the stepper, its tolerance, the form of collision, and
+// 1 if a ledger is open, else 0. Each of the pointers may be null.
+hooke_code hooke_choices(hooke_world *world,
+                         uint32_t *stepper,
+                         double *tolerance,
+                         uint32_t *collision,
+                         uint32_t *has_ledger);
 
 // Takes `count` steps of `dt` seconds. After an error the state is that of the last step that could be taken; the report,
 // which may be null, is of those that were.
@@ -454,7 +473,8 @@ hooke_code hooke_snapshot(hooke_world *world,
                           size_t size);
 
 // Puts a snapshot back: of a world with the same number of particles, the same springs and planes, in the same precision.
-// Other bytes are refused, and change nothing.
+// Stepper, tolerance, form of collision and ledger are those of the snapshot then: `hooke_choices` tells them. Other bytes are
+// refused, and change nothing.
 hooke_code hooke_restore(hooke_world *world,
                          const uint8_t *bytes,
                          size_t size);

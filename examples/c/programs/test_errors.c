@@ -82,6 +82,12 @@ static void numbers(void)
     EXPECT_CODE(hooke_set_spring(world, 1, 1, 1, 1), HOOKE_CODE_NO_SUCH_SPRING);
     EXPECT_CODE(hooke_set_spring(world, 0, 1, 1, -1), HOOKE_CODE_REST_LENGTH);
     EXPECT_CODE(hooke_scale_springs(world, -1, 1), HOOKE_CODE_STIFFNESS);
+    EXPECT_CODE(hooke_set_springs(world, 2, NULL, NULL, NULL), HOOKE_CODE_LENGTH);
+    value = -1.0;
+    EXPECT_CODE(hooke_set_springs(world, 1, NULL, &value, NULL), HOOKE_CODE_DAMPING);
+    EXPECT(hooke_culprit(world) == 0);
+    EXPECT_OK(hooke_spring(world, 0, NULL, &value, NULL));
+    EXPECT(value == 0.0);
     EXPECT_CODE(hooke_set_restitution(world, 1, 0.5), HOOKE_CODE_NO_SUCH_PLANE);
     EXPECT_CODE(hooke_set_stepper(world, 12, 1e-6), HOOKE_CODE_NO_SUCH_OPTION);
     EXPECT_CODE(hooke_set_stepper(world, HOOKE_STEPPER_RK4, 0.0), HOOKE_CODE_TOLERANCE);
@@ -107,9 +113,59 @@ static void numbers(void)
     free(memory);
 }
 
+/* Where a snapshot has three doubles of gravity and five of a ledger: behind eight letters, eight words, and two doubles. */
+enum { GRAVITY = 56, DOUBLES = 8 };
+
+/* A snapshot of which one number is past what the world holds is refused as a whole. */
+static void restoring(void)
+{
+    size_t size = hooke_size_of(HOOKE_PRECISION_F32, 1, 0, 0);
+    void *memory = aligned_alloc(64, (size + 63) / 64 * 64);
+    hooke_world *world = NULL;
+    EXPECT_OK(hooke_create(memory, size, HOOKE_PRECISION_F32, 1, 0, 0, &world));
+    EXPECT_OK(hooke_add_particle(world, 0, 0, 1, 0, 0, 0, 1, HOOKE_HOLD_FREE, NULL));
+    EXPECT_OK(hooke_set_gravity(world, 0, 0, -8));
+    EXPECT_OK(hooke_open_ledger(world));
+    size_t length = hooke_snapshot_size(world);
+    uint8_t *kept = (uint8_t *)malloc(length);
+    uint8_t *before = (uint8_t *)malloc(length);
+    uint8_t *after = (uint8_t *)malloc(length);
+    EXPECT_OK(hooke_snapshot(world, kept, length));
+    double gravity = 0.0;
+    memcpy(&gravity, kept + GRAVITY + 2 * sizeof gravity, sizeof gravity);
+    EXPECT(gravity == -8.0);
+    /* Elsewhere, so that what is half put back shows. */
+    EXPECT_OK(hooke_step(world, 0.5, 3, NULL));
+    EXPECT_OK(hooke_snapshot(world, before, length));
+    EXPECT(memcmp(before, kept, length) != 0);
+    for (size_t place = 0; place < DOUBLES; place++) {
+        /* Single precision ends at 3.4e38; what a ledger has come to is in doubles, and takes any finite one. */
+        const double wrong[] = { NAN, INFINITY, 1e300 };
+        for (size_t each = 0; each < (place < 3 ? 3 : 2); each++) {
+            uint8_t *number = kept + GRAVITY + place * sizeof *wrong;
+            uint8_t right[sizeof *wrong];
+            memcpy(right, number, sizeof right);
+            memcpy(number, &wrong[each], sizeof right);
+            EXPECT_CODE(hooke_restore(world, kept, length), HOOKE_CODE_SNAPSHOT);
+            EXPECT_OK(hooke_snapshot(world, after, length));
+            EXPECT(memcmp(before, after, length) == 0);
+            memcpy(number, right, sizeof right);
+        }
+    }
+    EXPECT_OK(hooke_restore(world, kept, length));
+    EXPECT_OK(hooke_snapshot(world, after, length));
+    EXPECT(memcmp(kept, after, length) == 0);
+    EXPECT_OK(hooke_destroy(world));
+    free(kept);
+    free(before);
+    free(after);
+    free(memory);
+}
+
 int main(void)
 {
     memory_and_pointers();
     numbers();
+    restoring();
     return conclude("errors");
 }

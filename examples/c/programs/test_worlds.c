@@ -124,6 +124,13 @@ static void keep(const model *cloth, hooke_world *world, uint32_t precision, uin
     uint8_t *bytes = (uint8_t *)malloc(size);
     void *memory = NULL;
     hooke_world *other = create(cloth, precision, stepper, form, &memory);
+    uint32_t chosen[3] = { 99, 99, 99 };
+    double tolerance = 0.0;
+    EXPECT_OK(hooke_open_ledger(world));
+    EXPECT_OK(hooke_set_stepper(other, HOOKE_STEPPER_EXPLICIT_EULER, 1e-3));
+    EXPECT_OK(hooke_set_collision(other, (form + 1) % 3));
+    EXPECT_OK(hooke_choices(other, NULL, NULL, NULL, &chosen[2]));
+    EXPECT(chosen[2] == 0);
     EXPECT_CODE(hooke_snapshot(world, bytes, size - 1), HOOKE_CODE_LENGTH);
     EXPECT_OK(hooke_snapshot(world, bytes, size));
     uint64_t kept = digest(world);
@@ -132,6 +139,8 @@ static void keep(const model *cloth, hooke_world *world, uint32_t precision, uin
     EXPECT(later != kept);
     EXPECT_CODE(hooke_restore(other, bytes, size - 1), HOOKE_CODE_SNAPSHOT);
     EXPECT_OK(hooke_restore(other, bytes, size));
+    EXPECT_OK(hooke_choices(other, &chosen[0], &tolerance, &chosen[1], &chosen[2]));
+    EXPECT(chosen[0] == stepper && tolerance == 1e-6 && chosen[1] == form && chosen[2] == 1);
     EXPECT(digest(other) == kept);
     EXPECT_OK(hooke_step(other, dt, 100, NULL));
     EXPECT(digest(other) == later);
@@ -140,6 +149,45 @@ static void keep(const model *cloth, hooke_world *world, uint32_t precision, uin
     EXPECT(digest(world) == kept);
     free(bytes);
     free(memory);
+}
+
+/* Parameters by number: those of a world that is made with them. */
+static void change(void)
+{
+    static model cloth;
+    static model other;
+    static double doubled[SPRINGS];
+    void *memory[2] = { NULL, NULL };
+    make(&cloth, 0.01);
+    make(&other, 0.01);
+    for (uint32_t s = 0; s < other.springs; s++) {
+        other.stiffness[s] = 40.0 + 0.25 * s;
+        other.rest_length[s] *= 1.0 + 0.001 * s;
+        doubled[s] = 2.0 * other.stiffness[s];
+    }
+    hooke_world *changed = create(&cloth, HOOKE_PRECISION_F32, HOOKE_STEPPER_VELOCITY_VERLET, 0, &memory[0]);
+    hooke_world *made = create(&other, HOOKE_PRECISION_F32, HOOKE_STEPPER_VELOCITY_VERLET, 0, &memory[1]);
+    EXPECT_OK(hooke_set_springs(changed, cloth.springs, other.stiffness, NULL, other.rest_length));
+    EXPECT_OK(hooke_step(changed, 1e-3, 50, NULL));
+    EXPECT_OK(hooke_step(made, 1e-3, 50, NULL));
+    EXPECT(digest(changed) == digest(made));
+    /* Where one is wrong none is changed, and it is named. */
+    doubled[7] = INFINITY;
+    EXPECT_CODE(hooke_set_springs(changed, cloth.springs, doubled, NULL, NULL), HOOKE_CODE_STIFFNESS);
+    EXPECT(hooke_culprit(changed) == 7);
+    EXPECT_OK(hooke_step(changed, 1e-3, 50, NULL));
+    EXPECT_OK(hooke_step(made, 1e-3, 50, NULL));
+    EXPECT(digest(changed) == digest(made));
+    /* Factors are of what there is now. */
+    doubled[7] = 2.0 * other.stiffness[7];
+    EXPECT_OK(hooke_set_springs(changed, cloth.springs, doubled, NULL, NULL));
+    EXPECT_OK(hooke_step(changed, 1e-3, 50, NULL));
+    EXPECT_OK(hooke_scale_springs(made, 4.0, 1.0));
+    EXPECT_OK(hooke_scale_springs(made, 0.5, 1.0));
+    EXPECT_OK(hooke_step(made, 1e-3, 50, NULL));
+    EXPECT(digest(changed) == digest(made));
+    free(memory[0]);
+    free(memory[1]);
 }
 
 int main(int count, char **arguments)
@@ -171,5 +219,6 @@ int main(int count, char **arguments)
             free(memory);
         }
     }
+    change();
     return conclude("worlds");
 }

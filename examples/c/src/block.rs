@@ -99,37 +99,28 @@ pub unsafe fn create(
 /// Does something with the world at an address, and remembers what went wrong.
 ///
 /// # Safety
-/// The address must be null, or that of memory as large as a world that may be read and that nobody else uses meanwhile.
+/// The address must be null, or that of memory as large as a world that may be read and that nobody else uses meanwhile: where
+/// one call at a time is let in, nobody but a call that is under way.
 pub unsafe fn with(world: *mut HookeWorld, task: impl FnOnce(&mut AnyEngine) -> Outcome) -> HookeCode {
-    if let Err(wrong) = check(world, 1, HOOKE_ALIGNMENT) {
-        return wrong.code;
-    }
-    // SAFETY: it is aligned, and the caller says that it may be read.
-    if unsafe { (&raw const (*world).magic).read() } != MAGIC {
-        return HookeCode::NotAWorld;
-    }
-    // SAFETY: a world has been made here, and nobody else uses it.
-    let HookeWorld { culprit, engine, .. } = unsafe { &mut *world };
-    match current::enter(|| task(engine)) {
-        Some(Ok(())) => HookeCode::Ok,
-        Some(Err(wrong)) => {
-            *culprit = wrong.number;
-            wrong.code
-        }
-        None => HookeCode::Busy,
-    }
+    // SAFETY: as the caller says.
+    let done = unsafe {
+        with_whole(world, |HookeWorld { culprit, engine, .. }| {
+            task(engine).map_err(|wrong| {
+                *culprit = wrong.number;
+                wrong.code
+            })
+        })
+    };
+    done.flatten().err().unwrap_or(HookeCode::Ok)
 }
 
-/// The number of what the last error of a world was about.
+/// The number of what the last error of a world was about; that of nobody while a call is under way that keeps others out.
 ///
 /// # Safety
 /// As for [`with`].
 pub unsafe fn culprit(world: *const HookeWorld) -> u32 {
-    if check(world, 1, HOOKE_ALIGNMENT).is_err() {
-        return HOOKE_NOBODY;
-    }
-    // SAFETY: it is aligned, and the caller says that it may be read.
-    unsafe { if (&raw const (*world).magic).read() == MAGIC { (*world).culprit } else { HOOKE_NOBODY } }
+    // SAFETY: as the caller says; it is only read.
+    unsafe { with_whole(world.cast_mut(), |world| world.culprit) }.unwrap_or(HOOKE_NOBODY)
 }
 
 /// Ends a world: its memory is the caller's again, and its address is refused from now on.
@@ -138,12 +129,24 @@ pub unsafe fn culprit(world: *const HookeWorld) -> u32 {
 /// As for [`with`].
 pub unsafe fn destroy(world: *mut HookeWorld) -> HookeCode {
     // SAFETY: as the caller says.
-    let code = unsafe { with(world, |_| Ok(())) };
-    if code == HookeCode::Ok {
-        // SAFETY: there is a world here, and nobody else uses it.
-        unsafe { (*world).magic = 0 };
-    }
-    code
+    unsafe { with_whole(world, |world| world.magic = 0) }.err().unwrap_or(HookeCode::Ok)
+}
+
+/// Enters, and only then has the world at an address: whoever comes while a call is under way is told so before.
+///
+/// # Safety
+/// As for [`with`].
+unsafe fn with_whole<T>(world: *mut HookeWorld, task: impl FnOnce(&mut HookeWorld) -> T) -> Result<T, HookeCode> {
+    check(world, 1, HOOKE_ALIGNMENT).map_err(|wrong| wrong.code)?;
+    let entered = current::enter(|| {
+        // SAFETY: it is aligned, and the caller says that it may be read.
+        if unsafe { (&raw const (*world).magic).read() } != MAGIC {
+            return Err(HookeCode::NotAWorld);
+        }
+        // SAFETY: a world has been made here, and nobody else uses it.
+        Ok(task(unsafe { &mut *world }))
+    });
+    entered.unwrap_or(Err(HookeCode::Busy))
 }
 
 /// So many items of the caller's.

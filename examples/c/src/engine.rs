@@ -256,7 +256,7 @@ impl<R: Real> Engine<R> {
 
     /// How many particles, springs and planes there are.
     pub fn counts(&self) -> [u32; 3] {
-        [self.world.particle_count(), self.world.springs().count() as u32, self.world.planes().len() as u32]
+        [self.world.particle_count(), self.world.springs().len() as u32, self.world.planes().len() as u32]
     }
 
     /// Positions (m) and velocities (m/s), by number.

@@ -121,7 +121,7 @@ struct Header {
 }
 
 impl Header {
-    fn read(mut bytes: Reader<'_>, extents: &Extents) -> Option<Self> {
+    fn read<R: Real>(mut bytes: Reader<'_>, extents: &Extents) -> Option<Self> {
         let is_ours = bytes.bytes() == MAGIC
             && bytes.word() == extents.real as u32
             && extents.counts.iter().all(|count| bytes.word() == *count);
@@ -148,7 +148,9 @@ impl Header {
         let is_sound = time.is_finite()
             && tolerance > 0.0
             && tolerance.is_finite()
-            && gravity.iter().all(|component| component.is_finite());
+            // What a double holds may be past what the world does.
+            && gravity.iter().all(|component| R::from_f64(*component).is_finite())
+            && is_finite(&balance);
         (is_ours && is_sound).then_some(Self { time, choices, gravity, ledger: has_ledger.then_some(balance) })
     }
 }
@@ -173,16 +175,15 @@ impl<R: Real> Engine<R> {
         extents.counts.into_iter().for_each(|count| header.word(count));
         header.word(self.choices.stepper as u32);
         header.word(self.choices.collision as u32);
-        header.word(u32::from(self.ledger.0.is_some()));
+        // A ledger past all numbers is none, lest the snapshot be refused.
+        let carried = self.carried.filter(is_finite);
+        header.word(u32::from(carried.is_some()));
         header.word(u32::from(self.choices.may_do_without_factor));
         header.number(self.time());
         header.number(self.choices.tolerance);
         self.world.gravity().into_iter().for_each(|component| header.number(component.to_f64()));
-        let carried = self.carried.unwrap_or_default();
-        for energy in [carried.lost_to_damping, carried.lost_in_impacts, carried.lost_to_sleep, carried.work_of_pins] {
-            header.number(energy);
-        }
-        header.number(carried.opened_with);
+        let carried = carried.unwrap_or_default();
+        energies(&carried).into_iter().for_each(|energy| header.number(energy));
         let mut particles = header;
         for (number, state) in (0..).zip(self.states()) {
             state.into_iter().flatten().for_each(|component| particles.real(component));
@@ -212,7 +213,7 @@ impl<R: Real> Engine<R> {
     pub fn restore(&mut self, bytes: &[u8]) -> Outcome {
         let extents = Extents::of(self);
         let all = Reader { bytes, real: extents.real };
-        let header = Header::read(all, &extents).filter(|_| bytes.len() == self.snapshot_size());
+        let header = Header::read::<R>(all, &extents).filter(|_| bytes.len() == self.snapshot_size());
         let header = header.ok_or(HookeCode::Snapshot)?;
         let [start, particles, springs, _] = extents.parts();
         let (particles, springs, planes) =
@@ -271,6 +272,16 @@ impl<R: Real> Engine<R> {
                 && (0.0..=1.0).contains(&restitution)
         })
     }
+}
+
+/// Those of a ledger's energies that do not follow from the state, in the order of the header.
+fn energies(balance: &Balance) -> [f64; 5] {
+    let Balance { lost_to_damping, lost_in_impacts, lost_to_sleep, work_of_pins, opened_with, .. } = *balance;
+    [lost_to_damping, lost_in_impacts, lost_to_sleep, work_of_pins, opened_with]
+}
+
+fn is_finite(balance: &Balance) -> bool {
+    energies(balance).iter().all(|energy| energy.is_finite())
 }
 
 fn are_states(mut bytes: Reader<'_>, extents: Extents) -> bool {

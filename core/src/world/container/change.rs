@@ -16,7 +16,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     }
 
     /// All springs with their numbers, in no particular order.
-    pub fn springs(&self) -> impl Iterator<Item = (u32, Spring<R>)> {
+    pub fn springs(&self) -> impl ExactSizeIterator<Item = (u32, Spring<R>)> {
         (0..self.springs.count()).map(|place| self.spring_in(place))
     }
 

@@ -4,7 +4,7 @@
 #![allow(clippy::too_many_arguments, reason = "vectors are three numbers")]
 
 use super::chosen;
-use crate::block::{HookeWorld, engine, with, write_if_asked};
+use crate::block::{HookeWorld, engine, items_if_any, with, write_if_asked};
 use crate::code::HookeCode;
 use crate::engine::SpringGiven;
 use crate::options::HookeHold;
@@ -109,7 +109,41 @@ pub unsafe extern "C" fn hooke_spring(
     }
 }
 
-/// Multiplies the stiffness and the damping of all springs.
+/// Gives all springs other parameters, by number: N/m, N s/m, m. A null pointer leaves those as they are. `count` is how many
+/// springs there are. It takes about as long as one `hooke_set_spring`. An error names the first spring that is refused; none
+/// is changed then.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_set_springs(
+    world: *mut HookeWorld,
+    count: u32,
+    stiffness: *const f64,
+    damping: *const f64,
+    rest_length: *const f64,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe {
+        with(world, |engine| {
+            let [_, springs, _] = engine!(&*engine, engine => engine.counts());
+            if count != springs {
+                return Err(HookeCode::Length.into());
+            }
+            let length = count as usize;
+            let stiffness = items_if_any(stiffness, length)?;
+            let damping = items_if_any(damping, length)?;
+            let rest_length = items_if_any(rest_length, length)?;
+            let told = |column: Option<&[f64]>, number: u32| column?.get(number as usize).copied();
+            let change = |number, spring: SpringGiven| SpringGiven {
+                stiffness: told(stiffness, number).unwrap_or(spring.stiffness),
+                damping: told(damping, number).unwrap_or(spring.damping),
+                rest_length: told(rest_length, number).unwrap_or(spring.rest_length),
+                ..spring
+            };
+            engine!(engine, engine => engine.set_numbered_springs(change))
+        })
+    }
+}
+
+/// Multiplies the stiffness and the damping of all springs, as they are now.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn hooke_scale_springs(world: *mut HookeWorld, stiffness: f64, damping: f64) -> HookeCode {
     // SAFETY: as the header says.

@@ -11,6 +11,7 @@ use super::{capacity, chosen, coded};
 use crate::arena::Arena;
 use crate::block::{self, HookeWorld, engine, items_mut, real_bytes, with};
 use crate::code::HookeCode;
+use crate::current;
 use crate::method::{AnyResponse, AnyStepper, FILL};
 use crate::options::{HookeCollision, HookePrecision, HookeStepper};
 
@@ -29,7 +30,8 @@ pub extern "C" fn hooke_size_of(precision: u32, particles: u32, springs: u32, pl
     bytes.unwrap_or(0)
 }
 
-/// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option.
+/// The bytes of the workspace that a stepper and a form of collision need in such a world; 0 if there is no such option, and
+/// without `std` while another call is under way.
 ///
 /// Implicit steppers, and `HOOKE_STEPPER_AUTO` where it turns to one, solve their linear systems by a factorisation where that
 /// is less work. A factor has blocks: as many as there are springs are enough for ropes, chains and trees, 16 times as many for a
@@ -64,8 +66,8 @@ pub extern "C" fn hooke_workspace_size(
         0
     };
     // What springs pull at takes room for one thing, what flies freely for another.
-    let all = bytes(particles).max(bytes(0)).max(bytes(particles / 2));
-    all.saturating_add(factor)
+    let all = || bytes(particles).max(bytes(0)).max(bytes(particles / 2));
+    current::enter(all).map_or(0, |all| all.saturating_add(factor))
 }
 
 fn workspace<R: Real>(stepper: HookeStepper, collision: HookeCollision, plan: &Plan) -> usize {
@@ -130,7 +132,8 @@ pub unsafe extern "C" fn hooke_destroy(world: *mut HookeWorld) -> HookeCode {
     unsafe { block::destroy(world) }
 }
 
-/// The number of the particle, spring or plane that the last error of a world was about; `UINT32_MAX` if of none.
+/// The number of the particle, spring or plane that the last error of a world was about; `UINT32_MAX` if of none, and
+/// without `std` while another call is under way.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn hooke_culprit(world: *const HookeWorld) -> u32 {
     // SAFETY: as the header says.

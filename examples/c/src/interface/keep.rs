@@ -34,7 +34,8 @@ pub unsafe extern "C" fn hooke_snapshot(world: *mut HookeWorld, bytes: *mut u8, 
 }
 
 /// Puts a snapshot back: of a world with the same number of particles, the same springs and planes, in the same precision.
-/// Other bytes are refused, and change nothing.
+/// Stepper, tolerance, form of collision and ledger are those of the snapshot then: `hooke_choices` tells them. Other bytes are
+/// refused, and change nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn hooke_restore(world: *mut HookeWorld, bytes: *const u8, size: usize) -> HookeCode {
     // SAFETY: as the header says.

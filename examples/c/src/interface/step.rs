@@ -41,6 +41,28 @@ pub unsafe extern "C" fn hooke_set_collision(world: *mut HookeWorld, collision: 
     }
 }
 
+/// Writes what has been chosen, which `hooke_restore` may have changed: the stepper, its tolerance, the form of collision, and
+/// 1 if a ledger is open, else 0. Each of the pointers may be null.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hooke_choices(
+    world: *mut HookeWorld,
+    stepper: *mut u32,
+    tolerance: *mut f64,
+    collision: *mut u32,
+    has_ledger: *mut u32,
+) -> HookeCode {
+    // SAFETY: as the header says.
+    unsafe {
+        with(world, |engine| {
+            let (choices, is_followed) = engine!(engine, engine => (engine.choices, engine.ledger.0.is_some()));
+            write_if_asked(stepper, choices.stepper as u32)?;
+            write_if_asked(tolerance, choices.tolerance)?;
+            write_if_asked(collision, choices.collision as u32)?;
+            write_if_asked(has_ledger, u32::from(is_followed))
+        })
+    }
+}
+
 /// Takes `count` steps of `dt` seconds. After an error the state is that of the last step that could be taken; the report,
 /// which may be null, is of those that were.
 #[unsafe(no_mangle)]

@@ -144,8 +144,8 @@ export class World {
   readonly time: number;
   /**
    * Views of the module's memory, three numbers a particle, by number, fit for a BufferAttribute. They are refreshed by
-   * whatever changes them. When the memory grows, which a new world or another stepper may make it do, they are made
-   * anew: get them again after that.
+   * whatever changes them. When the memory grows, which a new world, another stepper, a snapshot, or a change of all
+   * springs may make it do, they are made anew: get them again after that.
    */
   readonly positions: Float32Array;
   readonly velocities: Float32Array;
@@ -171,7 +171,15 @@ export class World {
   drive(particle: number, position: Vector, velocity: Vector): void;
   spring(spring: number): { stiffness: number; damping: number; restLength: number };
   setSpring(spring: number, changes: { stiffness?: number; damping?: number; restLength?: number }): void;
-  /** Multiplies those of all springs. */
+  /**
+   * Gives all springs other parameters at once, by number; what is left out stays. It takes about as long as one `setSpring`.
+   * Where one is refused none is changed.
+   */
+  setSprings(columns: { stiffness?: ArrayLike<number>; damping?: ArrayLike<number>; restLength?: ArrayLike<number> }): void;
+  /**
+   * Makes the stiffness and the damping of all springs so many times what they were given when they were added, or by
+   * `setSpring` and `setSprings` since: the factors of an earlier call do not count. What is left out stays.
+   */
   scaleSprings(factors: { stiffness?: number; damping?: number }): void;
   setRestitution(plane: number | "all", restitution: number): void;
 
@@ -184,7 +192,10 @@ export class World {
 
   /** All that it takes to go on from here, to the bit. */
   snapshot(): Uint8Array;
-  /** Puts a snapshot back: of a world with the same particles, springs and planes. */
+  /**
+   * Puts a snapshot back: of a world with the same particles, springs and planes. Stepper, form of collision, tolerance and
+   * energy ledger are those of the snapshot then; the time step stays.
+   */
   restore(bytes: Uint8Array): void;
   /** One number for all positions and velocities: 16 hexadecimal digits, the same on every machine. */
   digest(): string;

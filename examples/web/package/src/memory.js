@@ -3,7 +3,8 @@
 import { HookeError } from "./error.js";
 
 const PAGE = 65536;
-const LINE = 64;
+/** Of the cache, bytes: what blocks start on, and the least that one has. */
+export const LINE = 64;
 const roundUp = (bytes, multiple) => Math.ceil(bytes / multiple) * multiple;
 
 export class Memory {

@@ -1,6 +1,7 @@
 // A world: one block of the module's memory, and a workspace for what steps it.
 
 import { HookeError, NOBODY, WORKSPACE, wrong } from "./error.js";
+import { LINE } from "./memory.js";
 import { distance, flatParticles, flatSprings, holdNumber, isCapacity } from "./model.js";
 import { COLLISIONS, HOLDS, STEPPERS } from "./names.js";
 import { LEDGER, REPORT, both, readLedger, readReport } from "./report.js";
@@ -31,6 +32,8 @@ export class World {
   #capacity;
   #particles = 0;
   #springs = 0;
+  /** What springs were given, which factors are of. */
+  #given = { stiffness: [], damping: [] };
   #stepper = "auto";
   #collision = "time-of-impact";
   #tolerance = 1e-6;
@@ -94,6 +97,7 @@ export class World {
       this.#check(this.#call.hooke_add_springs(this.#world, count, ...[b, k, d, l].map((at) => this.#room + at)),
         "spring", first);
     }
+    this.#given = { stiffness: Array.from(springs.stiffness), damping: Array.from(springs.damping) };
     planes.forEach(({ point, normal, restitution = 1 }, plane) => {
       this.#check(this.#call.hooke_add_plane(this.#world, ...point, ...normal, restitution, 0), "plane", plane);
     });
@@ -110,6 +114,8 @@ export class World {
 
   addSpring({ between, stiffness, damping = 0, restLength = distance(this.positions, between) }) {
     this.#check(this.#call.hooke_add_spring(this.#alive(), ...between, stiffness, damping, restLength, this.#room));
+    this.#given.stiffness.push(stiffness);
+    this.#given.damping.push(damping);
     this.#count();
     return this.#springs - 1;
   }
@@ -166,13 +172,13 @@ export class World {
     if (bytes > this.#workspaceBytes) this.#widen(bytes);
   }
 
-  /** Another workspace; the stepper begins anew. */
+  /** Another workspace; the stepper begins anew. Without memory for it there is still the one before. */
   #widen(bytes) {
+    const workspace = this.#memory.take(bytes);
+    this.#check(this.#call.hooke_set_workspace(this.#world, workspace, bytes, 0));
     this.#memory.give(this.#workspace);
-    this.#workspaceBytes = 0;
-    this.#workspace = this.#memory.take(bytes);
+    this.#workspace = workspace;
     this.#workspaceBytes = bytes;
-    this.#check(this.#call.hooke_set_workspace(this.#world, this.#workspace, bytes, 0));
   }
 
   // What is told.
@@ -259,7 +265,7 @@ export class World {
       left -= taken.steps;
       if (code === WORKSPACE) {
         // How large a factor is turns out when it is made: then the step has not been taken.
-        this.#widen(2 * this.#workspaceBytes);
+        this.#widen(Math.max(2 * this.#workspaceBytes, LINE));
         continue;
       }
       if (code !== 0) this.#read();
@@ -304,10 +310,40 @@ export class World {
   setSpring(number, changes) {
     const { stiffness, damping, restLength } = { ...this.spring(number), ...changes };
     this.#check(this.#call.hooke_set_spring(this.#world, number, stiffness, damping, restLength));
+    for (const [name, given] of Object.entries(this.#given)) given[number] = changes[name] ?? given[number];
   }
 
-  scaleSprings({ stiffness = 1, damping = 1 }) {
-    this.#check(this.#call.hooke_scale_springs(this.#alive(), stiffness, damping));
+  setSprings({ stiffness, damping, restLength }) {
+    this.#setColumns({ stiffness, damping, restLength });
+    for (const [name, column] of Object.entries({ stiffness, damping })) {
+      if (column !== undefined) this.#given[name] = Array.from(column);
+    }
+  }
+
+  scaleSprings(factors) {
+    const scaled = (name) => factors[name] === undefined ? undefined : this.#given[name].map((given) => given * factors[name]);
+    this.#setColumns({ stiffness: scaled("stiffness"), damping: scaled("damping") });
+  }
+
+  /** Parameters of all springs, by number; those that are left out stay as they are. */
+  #setColumns({ stiffness, damping, restLength }) {
+    this.#alive();
+    const count = this.#springs;
+    for (const [name, column] of Object.entries({ stiffness, damping, restLength })) {
+      if (column !== undefined && column.length !== count) throw new HookeError("length", `${name} is one number a spring`);
+    }
+    const block = this.#memory.take(3 * 8 * count);
+    try {
+      const addresses = [stiffness, damping, restLength].map((column, place) => {
+        if (column === undefined) return 0;
+        const address = block + place * 8 * count;
+        new Float64Array(this.#memory.buffer, address, count).set(column);
+        return address;
+      });
+      this.#check(this.#call.hooke_set_springs(this.#world, count, ...addresses));
+    } finally {
+      this.#memory.give(block);
+    }
   }
 
   setRestitution(plane, restitution) {
@@ -361,6 +397,19 @@ export class World {
     }
     this.#owed = 0;
     this.#placed();
+    this.#learn();
+  }
+
+  /** What has been chosen is that of the snapshot, and may need another workspace. */
+  #learn() {
+    const room = this.#room;
+    this.#check(this.#call.hooke_choices(this.#world, room, room + 8, room + 16, room + 20));
+    const view = new DataView(this.#memory.buffer, room);
+    this.#stepper = STEPPERS[view.getUint32(0, true)];
+    this.#tolerance = view.getFloat64(8, true);
+    this.#collision = COLLISIONS[view.getUint32(16, true)];
+    this.#follows = view.getUint32(20, true) === 1;
+    this.#choose();
   }
 
   digest() {

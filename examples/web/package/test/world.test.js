@@ -59,7 +59,7 @@ test("a step that fails leaves the state, and names the particle", () => {
 for (const stepper of ["semi-implicit-euler", "implicit-euler", "velocity-verlet", "dop853", "auto"]) {
   test(`a snapshot goes on to the bit: ${stepper}`, () => {
     const world = hooke.world(pendulum);
-    Object.assign(world, { stepper, collision: "time-of-impact", timeStep: 1e-3 });
+    Object.assign(world, { stepper, collision: "reflect", tolerance: 1e-5, timeStep: 1e-3 });
     world.energy();
     world.step(137);
     const kept = world.snapshot();
@@ -77,7 +77,16 @@ for (const stepper of ["semi-implicit-euler", "implicit-euler", "velocity-verlet
     other.step(5);
     other.setSpring(0, { stiffness: 1 });
     other.setHold(1, "pinned");
+    Object.assign(other, { stepper: "rk4", collision: "project", tolerance: 1e-3 });
     other.restore(kept);
+    assert.deepEqual([other.stepper, other.collision, other.tolerance], [stepper, "reflect", 1e-5]);
+    other.step(900);
+    assert.equal(other.digest(), digest);
+    // The ledger goes on as well.
+    assert.deepEqual(other.energy(), energy);
+    // One choice leaves the others.
+    other.restore(kept);
+    other.tolerance = 1e-5;
     other.step(900);
     assert.equal(other.digest(), digest);
     // The control.
@@ -87,11 +96,26 @@ for (const stepper of ["semi-implicit-euler", "implicit-euler", "velocity-verlet
   });
 }
 
+test("a snapshot of a world without a ledger closes the one that there is, and finds room for its stepper", () => {
+  const model = cloth(16);
+  const [world, other] = [hooke.world(model), hooke.world(model)];
+  for (const each of [world, other]) Object.assign(each, { stepper: "semi-implicit-euler", timeStep: 1e-3 });
+  other.energy();
+  world.stepper = "dop853";
+  world.step(5);
+  other.restore(world.snapshot());
+  for (const each of [world, other]) each.step(5);
+  assert.equal(other.stepper, "dop853");
+  assert.equal(other.digest(), world.digest());
+  // Opened by this call, with what there is now.
+  const { openedWith, total } = other.energy();
+  assert.equal(openedWith, total);
+});
+
 test("bytes that are no snapshot of this model change nothing", () => {
   const world = hooke.world(pendulum);
   world.step(10);
   const kept = world.snapshot();
-  const digest = world.digest();
   const spoilt = (change) => {
     const bytes = kept.slice();
     change(new DataView(bytes.buffer), bytes);
@@ -101,16 +125,21 @@ test("bytes that are no snapshot of this model change nothing", () => {
   refuses(() => world.restore(kept.slice(1)), "snapshot");
   refuses(() => world.restore(spoilt((view) => view.setUint8(0, 0))), "snapshot");
   refuses(() => world.restore(spoilt((view) => view.setUint32(12, 3, true))), "snapshot");
-  // Every byte past the counts, made NaN's or a huge number: refused, or taken, but never a crash.
-  for (let place = 28; place + 8 <= kept.length; place += 4) {
-    const bytes = spoilt((view) => view.setFloat64(place, NaN, true));
-    try {
-      world.restore(bytes);
-    } catch (error) {
-      assert.ok(error instanceof HookeError && error.code === "snapshot", String(error));
-      assert.equal(world.digest(), digest);
+  // Every byte past the counts, made NaN's or a huge number, which single precision does not hold: refused as a whole, or
+  // taken, but never a crash.
+  for (const wrong of [NaN, 1e300]) {
+    for (let place = 28; place + 8 <= kept.length; place += 4) {
+      // Elsewhere, so that what is half put back shows.
+      world.restore(kept);
+      world.step(3);
+      const before = world.snapshot();
+      try {
+        world.restore(spoilt((view) => view.setFloat64(place, wrong, true)));
+      } catch (error) {
+        assert.ok(error instanceof HookeError && error.code === "snapshot", String(error));
+        assert.deepEqual(world.snapshot(), before);
+      }
     }
-    world.restore(kept);
   }
 });
 

@@ -17,6 +17,8 @@ const positions: Float32Array = world.positions;
 const energy: Energy = world.energy();
 const bytes: Uint8Array = world.snapshot();
 world.restore(bytes);
+world.setSprings({ stiffness: new Float32Array(1), damping: [0.1] });
+world.scaleSprings({ stiffness: 2 });
 world.setRestitution("all", report.hits + positions.length + energy.remainder);
 try {
   world.step();
