@@ -14,24 +14,33 @@ install() { # packages...
     fi
 }
 
-# With an installed target (`rustup target add`), else with Debian's compiler and its library source.
-build() { # target, arguments of cargo build...
-    local target=$1
-    shift
+# Cargo for a target that is installed (`rustup target add`), else Debian's compiler with its library source.
+cargo_for() { # target, command, its arguments...
+    local target=$1 command=$2
+    shift 2
     if has_target "$target"; then
-        cargo build --quiet --locked --release --target "$target" -p hooke-firmware "$@"
+        cargo "$command" --quiet --locked --release --target "$target" -p hooke-firmware "$@"
         return
     fi
-    install rustc-web cargo-web rust-web-src lld-16
+    install rustc-web cargo-web rust-web-src rust-web-clippy lld-16
     local name=${target//-/_}
     # Building the library from source is not in the stable compiler's interface, hence the variable.
-    env "CARGO_TARGET_${name^^}_LINKER=ld.lld-16" RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc /usr/bin/cargo build --quiet \
-        --locked --release --target "$target" -Zbuild-std=core,compiler_builtins -p hooke-firmware "$@"
+    env "CARGO_TARGET_${name^^}_LINKER=ld.lld-16" RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc PATH="/usr/bin:$PATH" \
+        /usr/bin/cargo "$command" --quiet --locked --release --target "$target" -Zbuild-std=core,compiler_builtins \
+        -p hooke-firmware "$@"
 }
 
-emulate() { # machine, program: ends with the program's exit code
-    timeout 300 qemu-system-arm -machine "$1" -nographic -icount shift=0 \
-        -semihosting-config enable=on,target=native -kernel "$2"
+build() { # target, arguments of cargo build...
+    cargo_for "$1" build "${@:2}"
+}
+
+lint() { # target, arguments of cargo clippy...
+    cargo_for "$1" clippy "${@:2}" -- -D warnings
+}
+
+emulate() { # machine, program: ends with the program's exit code, or with a failure after ten minutes
+    timeout --kill-after=10 600 qemu-system-arm -machine "$1" -nographic -icount shift=0 \
+        -semihosting-config enable=on,target=native -kernel "$2" </dev/null
 }
 
 # Bytes of flash: code, constants, and the initial values of statics.

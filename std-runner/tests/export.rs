@@ -115,3 +115,28 @@ fn what_it_cannot_hold_is_refused() {
     let accurate = ROPE.replace("time_step = 1e-3", "max_error = 1e-4");
     export(&accurate, &[]).exits(2).tells(&["max_error", "leave it out"]);
 }
+
+/// The time step that a scene leaves open, which `hooke run` would look for by pilot runs.
+#[test]
+fn it_says_what_ends_in_the_same_bits() {
+    let open = ROPE.replace("time_step = 1e-3\n", "").replace("stepper = \"auto\"\n", "");
+    let folder = Folder::with(&open);
+    let exported = folder.hooke(&["export", "scene.toml", "--firmware", "--out", "rope.rs"]).exits(0);
+    let told = exported.error();
+    let flags = told.split_once("ends in the same bits with ").expect(&told).1;
+    let flags: Vec<&str> = flags.split(';').next().unwrap().split_whitespace().collect();
+    assert_eq!([flags[0], flags[1], flags[2]], ["--stepper", "auto", "--time-step"], "{told}");
+    assert!(told.contains("pilot runs"), "{told}");
+    // With these flags nothing is left open: the source is the same, to the length and the number of its steps.
+    let source = |flags: &[&str]| {
+        folder.hooke(&[&["export", "scene.toml", "--firmware", "--out", "-"], flags].concat()).exits(0).output()
+    };
+    assert_eq!(source(&flags), source(&[]));
+    assert!(source(&flags).contains(&format!("{{\n    {}\n}}", flags[3])), "{told}");
+    // Without them, what pilot runs find is something else.
+    let digest = |flags: &[&str]| folder.hooke(&[&["run", "scene.toml", "--digest"], flags].concat()).exits(0).output();
+    assert_ne!(digest(&flags), digest(&[]));
+    // Of a scene that says its time step, nothing has to be repeated.
+    let given = Folder::with(ROPE).hooke(&["export", "scene.toml", "--firmware", "--out", "-"]).exits(0).error();
+    assert!(given.contains("`hooke run` ends in the same bits\n"), "{given}");
+}

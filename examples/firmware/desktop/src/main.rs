@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use hooke::StepError;
-use hooke_firmware_scenes::{Exported, Few, Many, Tell, exported, few, many};
+use hooke_firmware_scenes::{Balls, Exported, Few, Many, Tell, bouncing, exported, few, many};
 
 /// Lines on standard output.
 struct Lines;
@@ -19,7 +19,10 @@ impl Tell for Lines {
 
 fn main() -> ExitCode {
     match std::env::args().nth(1).as_deref() {
-        Some("few") => few(&mut Box::new(Few::EMPTY), &mut Lines),
+        Some("few") => {
+            few(&mut Box::new(Few::EMPTY), &mut Lines);
+            bouncing(&mut Box::new(Balls::new()), &mut Lines);
+        }
         Some("many") => {
             many(&mut Box::new(Many::EMPTY), &mut Lines);
             exported(&mut Box::new(Exported::EMPTY), &mut Lines);

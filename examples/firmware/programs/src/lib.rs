@@ -3,6 +3,7 @@
 
 pub mod console;
 pub mod counter;
+pub mod fault;
 pub mod smallest;
 pub mod stack;
 mod startup;

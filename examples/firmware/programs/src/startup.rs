@@ -3,6 +3,8 @@
 
 use core::panic::PanicInfo;
 
+use crate::fault::end;
+
 // SAFETY: the linker script asks for a table of this name in this section; one entry of 0 is none that is ever taken.
 #[unsafe(link_section = ".vector_table.interrupts")]
 #[unsafe(no_mangle)]
@@ -10,8 +12,6 @@ static __INTERRUPTS: [u32; 1] = [0];
 
 /// A program in which nothing can panic does not contain this.
 #[panic_handler]
-fn halt(_: &PanicInfo<'_>) -> ! {
-    loop {
-        cortex_m::asm::bkpt();
-    }
+fn panicked(_: &PanicInfo<'_>) -> ! {
+    end("panic")
 }

@@ -6,5 +6,5 @@ mod compare;
 mod exported;
 
 pub use build::{balls, cloth, rope};
-pub use compare::{Few, Many, Tell, few, many};
+pub use compare::{Balls, Few, Many, Tell, bouncing, few, many};
 pub use exported::{Exported, exported};

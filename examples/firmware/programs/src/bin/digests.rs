@@ -4,8 +4,10 @@
 
 use cortex_m_rt::entry;
 use hooke_firmware::console::Console;
-use hooke_firmware::finish;
+use hooke_firmware::{end_at_faults, finish};
 use hooke_firmware_scenes::{Exported, Many, exported, many};
+
+end_at_faults!();
 
 #[entry]
 fn main() -> ! {

@@ -10,7 +10,7 @@ use hooke::{
     Auto, BlanesMoanS6, Dop853, ExplicitEuler, Fixed, ImplicitEuler, ImplicitEulerLinearised, ImplicitMidpoint,
     Project, Rk4, SemiImplicitEuler, Stepper, TrBdf2, VelocityVerlet, World,
 };
-use hooke_firmware::{counter, finish, stack};
+use hooke_firmware::{counter, end_at_faults, finish, stack};
 use hooke_firmware_scenes::cloth;
 
 type Cloth = World<f32, 100, 502, 0>;
@@ -18,8 +18,6 @@ type Room = Fixed<100, 502, 0>;
 
 /// Steps that are measured together.
 const STEPS: u32 = 10;
-/// Bytes of the stack that are looked at.
-const STACK: u32 = 1 << 20;
 /// At which implicit steps count as solved.
 const TOLERANCE: f64 = 1e-5;
 
@@ -29,7 +27,7 @@ fn measure(clock: &mut SYST, world: &mut Cloth, name: &str, stepper: Option<&mut
     let mut step = |world: &mut Cloth| world.step(stepper, &mut Project, 1.0 / 512.0).is_ok();
     // The first one prepares the world: that is in the stack, and not in the instructions.
     let mut taken = true;
-    let bytes = stack::high_water(STACK, || taken &= step(world));
+    let bytes = stack::used_by(|| taken &= step(world));
     let instructions = counter::instructions(clock, || {
         for _ in 0..STEPS {
             taken &= step(world);
@@ -38,6 +36,8 @@ fn measure(clock: &mut SYST, world: &mut Cloth, name: &str, stepper: Option<&mut
     hprintln!("{} {} {}", name, instructions / STEPS, bytes);
     taken
 }
+
+end_at_faults!();
 
 #[entry]
 fn main() -> ! {

@@ -1,7 +1,9 @@
-//! Shipped scenes as `hooke export --firmware` writes them, run through their whole duration.
+//! Shipped scenes, and the rope of `hooke new`, as `hooke export --firmware` writes them, run through their whole duration.
 
 #[rustfmt::skip]
 mod damped_pendulum;
+#[rustfmt::skip]
+mod rope;
 #[rustfmt::skip]
 mod slung_rope;
 
@@ -30,17 +32,23 @@ macro_rules! run {
 pub struct Exported {
     slung_rope: slung_rope::Scene,
     damped_pendulum: damped_pendulum::Scene,
+    rope: rope::Scene,
 }
 
 impl Exported {
     /// Empty ones.
-    pub const EMPTY: Self =
-        Self { slung_rope: slung_rope::Scene::new(), damped_pendulum: damped_pendulum::Scene::new() };
+    pub const EMPTY: Self = Self {
+        slung_rope: slung_rope::Scene::new(),
+        damped_pendulum: damped_pendulum::Scene::new(),
+        rope: rope::Scene::new(),
+    };
 }
 
-/// The scenes, by their own steppers: `hooke run SCENE --digest` tells the same.
+/// The scenes, by their own steppers: `hooke run SCENE --digest` tells the same, with the flags for the last that `hooke export`
+/// tells.
 pub fn exported(worlds: &mut Exported, tell: &mut impl Tell) {
-    let Exported { slung_rope: rope, damped_pendulum: pendulum } = worlds;
-    tell.tell("slung-rope.toml", "auto", run!(slung_rope, rope));
+    let Exported { slung_rope: slung, damped_pendulum: pendulum, rope: starter } = worlds;
+    tell.tell("slung-rope.toml", "auto", run!(slung_rope, slung));
     tell.tell("damped-pendulum.toml", "velocity-verlet", run!(damped_pendulum, pendulum));
+    tell.tell("rope.toml", "auto", run!(rope, starter));
 }
