@@ -28,10 +28,15 @@ export class Side {
       planes: scene.planes.map((plane) => ({ ...plane, restitution: restitution ?? plane.restitution })),
     });
     this.world = world;
-    this.#pace(choices);
-    world.stepper = stepper;
-    // The ledger opens here, before the first step.
-    world.energy();
+    try {
+      this.#pace(choices);
+      world.stepper = stepper;
+      // The ledger opens here, before the first step.
+      world.energy();
+    } catch (error) {
+      world.free();
+      throw error;
+    }
   }
 
   #pace({ timeStep, tolerance, collision }) {

@@ -162,6 +162,43 @@ test("a link carries the scene and everything chosen", async () => {
   await close();
 });
 
+test("what the reader takes and single precision refuses leaves the scene before, and says why", async () => {
+  const { page, complaints, close } = await open(browser, server.url);
+  const light = (mass) => `[[particle]]\nposition = [0.0, 0.0, 1.0]\nmass = ${mass}\n`;
+  const goesOn = async () => {
+    const before = await page.evaluate(() => [hookePage.scene.name, hookePage.chosen.scene, hookePage.sides.list[0].steps]);
+    await page.waitForFunction((steps) => hookePage.sides.list[0].steps > steps, before[2]);
+    assert.deepEqual(before.slice(0, 2), ["hanging cloth", "hanging-cloth.toml"]);
+  };
+  await page.keyboard.press("e");
+  await page.locator("#text").fill(light("1e-50"));
+  await page.locator("#run").click();
+  await page.waitForFunction(() => document.getElementById("refusal").textContent !== "");
+  assert.match(await page.locator("#refusal").innerText(), /single precision: particle 0: .*mass/);
+  await goesOn();
+  await page.evaluate(() => document.getElementById("editor").close());
+  // The same by a link, on a page that is there and on one that begins with it.
+  const link = await page.evaluate(async (text) => {
+    const { pack } = await import(new URL("js/share.js", location.href));
+    return `#${await pack({ scene: "light.toml", text })}`;
+  }, light("1e-50"));
+  await page.evaluate((link) => (location.hash = link), link);
+  await page.waitForFunction(() => /particle 0: .*mass/.test(document.getElementById("toast").textContent));
+  await goesOn();
+  const there = await open(browser, server.url + link);
+  assert.match(await there.page.locator("#toast").innerText(), /particle 0: .*mass/);
+  assert.equal(await there.page.evaluate(() => hookePage.scene.name), "hanging cloth");
+  assert.deepEqual(there.complaints, []);
+  await there.close();
+  // The control: what single precision holds is taken.
+  await page.keyboard.press("e");
+  await page.locator("#text").fill(light("1e-30"));
+  await page.locator("#run").click();
+  await page.waitForFunction(() => hookePage.scene.particles === 1);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("keys pause, step, reset, compare", async () => {
   const { page, close } = await open(browser, server.url);
   await page.keyboard.press(" ");
