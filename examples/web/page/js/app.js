@@ -100,7 +100,7 @@ export class App extends EventTarget {
     const { held } = this;
     if (!held) return;
     this.held = undefined;
-    this.sides.list.forEach((side) => side.release(held.particle, held.velocity));
+    this.sides.release(held.particle, held.velocity);
   }
 
   /** Moves what is held towards where the hand is, within one picture. */
@@ -112,7 +112,7 @@ export class App extends EventTarget {
     // What a throw is worth is what the hand did over several pictures.
     held.velocity = held.velocity.map((v, axis) => 0.7 * v + 0.3 * velocity[axis]);
     const from = seconds > 0 ? held.place : held.target;
-    this.sides.list.forEach((side) => side.hold(held.particle, from, velocity));
+    this.sides.hold(held.particle, from, velocity);
     held.place = held.target;
   }
 

@@ -49,6 +49,7 @@ export class Sides {
 
   /** The same state, other choices. */
   change(choices) {
+    const { choices: before } = this;
     this.timeStep = choices.timeStep ?? this.#chosenStep(this.scene, choices);
     this.choices = { ...choices, timeStep: this.timeStep };
     this.list.forEach((side) => {
@@ -56,6 +57,32 @@ export class Sides {
       side.change(this.choices);
     });
     this.due = 0;
+    if (["stiffness", "damping", "gravity"].some((key) => String(choices[key]) !== String(before[key]))) this.#openLedgers();
+  }
+
+  /** A hand puts a particle at a place, whence it moves with that velocity. */
+  hold(particle, place, velocity) {
+    this.list.forEach((side) => side.hold(particle, place, velocity));
+    const told = String([particle, place, velocity]);
+    if (told !== this.told) this.#openLedgers();
+    this.told = told;
+  }
+
+  /** The hand lets it go with that velocity. */
+  release(particle, velocity) {
+    this.list.forEach((side) => side.release(particle, velocity));
+    this.told = undefined;
+    this.#openLedgers();
+  }
+
+  /** After a change from outside: what comes from here on is each stepper's own. */
+  #openLedgers() {
+    this.histories = this.list.map((side, i) => {
+      if (!side.openLedger()) return this.histories[i];
+      side.isRecorded = false;
+      return new History(SPAN);
+    });
+    this.record();
   }
 
   /** Another stepper for a side, from where it is. */
