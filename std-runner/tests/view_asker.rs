@@ -25,7 +25,8 @@ fn pages_of_other_sites_are_told_apart() {
     let own = |headers: &[_]| is_own_page(&with(headers), 8080);
     assert!(own(&[]) && own(&[(site.clone(), "none")]));
     assert!(own(&[(ORIGIN, "http://localhost:8080"), (site.clone(), "same-origin")]));
-    for origin in ["https://example.org", "http://localhost:3000", "http://localhost", "https://localhost:8080", "null"] {
+    for origin in ["https://example.org", "http://localhost:3000", "http://localhost", "https://localhost:8080", "null"]
+    {
         assert!(!own(&[(ORIGIN, origin)]), "{origin}");
     }
     for other in ["cross-site", "same-site"] {

@@ -102,7 +102,9 @@ fn answer(
     match path {
         "" | "index.html" => of(page(), "text/html; charset=utf-8"),
         "desktop/scene.json" => of(shown.texts.json(), "application/json"),
-        "desktop/frames" => of(Body::from_read(frames(Arc::clone(shown), tell, interrupted)), "application/octet-stream"),
+        "desktop/frames" => {
+            of(Body::from_read(frames(Arc::clone(shown), tell, interrupted)), "application/octet-stream")
+        }
         path => match files::at(path) {
             Some(file) => {
                 let mut response = of(file.bytes, file.kind);
