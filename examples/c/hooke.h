@@ -243,7 +243,8 @@ typedef struct {
   double work_of_pins;
   // The first three when it was opened.
   double opened_with;
-  // What the stepper has added (positive) or lost (negative) since then: 0 for the exact solution.
+  // What the stepper has added (positive) or lost (negative) since then: 0 for the exact solution. Whatever is changed from
+  // outside counts into it, until the ledger is opened anew.
   double remainder;
 } hooke_ledger;
 

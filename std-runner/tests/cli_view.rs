@@ -3,9 +3,9 @@
 
 mod cli_support;
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Lines, Read, Write};
 use std::net::{SocketAddr, TcpStream};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, ChildStderr, Command, Stdio};
 
 use cli_support::{Folder, ROPE};
 
@@ -18,6 +18,8 @@ const BYTES: usize = 8 * 8 + PARTICLES * 12;
 struct Viewed {
     child: Child,
     address: SocketAddr,
+    /// What it says after its address.
+    said: Lines<BufReader<ChildStderr>>,
 }
 
 impl Viewed {
@@ -29,17 +31,18 @@ impl Viewed {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        let lines = BufReader::new(child.stderr.take().unwrap()).lines();
-        let address = lines
+        let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
+        let address = said
+            .by_ref()
             .map_while(Result::ok)
             .find_map(|line| Some(line.strip_prefix("http://")?.trim_end_matches('/').parse().unwrap()));
-        Self { child, address: address.unwrap() }
+        Self { child, address: address.unwrap(), said }
     }
 
-    /// The status and the body of an answer to a browser that asks for `host`.
-    fn asked_as(&self, path: &str, host: &str) -> (u16, Vec<u8>) {
+    /// The status and the body of an answer to a browser that asks for `host`, with other lines of its own.
+    fn asked_as(&self, path: &str, host: &str, headers: &str) -> (u16, Vec<u8>) {
         let mut stream = TcpStream::connect(self.address).unwrap();
-        write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\n{headers}Connection: close\r\n\r\n").unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
         let head = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
@@ -50,7 +53,13 @@ impl Viewed {
     }
 
     fn asked(&self, path: &str) -> (u16, Vec<u8>) {
-        self.asked_as(path, &self.address.to_string())
+        self.asked_as(path, &self.address.to_string(), "")
+    }
+
+    /// Ends it: all that it said after its address.
+    fn ended(mut self) -> String {
+        self.child.kill().unwrap();
+        self.said.by_ref().map_while(Result::ok).collect::<Vec<_>>().join("\n")
     }
 }
 
@@ -116,15 +125,55 @@ fn a_run_that_explodes_says_where_and_when_after_its_last_frame() {
     assert!(number(0).is_nan());
     assert!((0.0..PARTICLES as f64).contains(&number(1)), "particle {}", number(1));
     assert!(number(2) > 0.0 && number(2) < 100.0, "after {} s", number(2));
+    // And on the terminal why, as `hooke run` does.
+    let said = viewed.ended();
+    assert!(said.contains("became infinite or NaN") && said.contains("explicit-euler"), "{said}");
+}
+
+/// What is shown is what was read, whatever the file has become since.
+#[cfg(unix)]
+#[test]
+fn the_text_and_the_run_are_of_one_reading() {
+    let folder = Folder::empty();
+    let scene = folder.file("scene.toml");
+    assert!(Command::new("mkfifo").arg(&scene).status().unwrap().success());
+    let (path, other) = (scene.clone(), folder.file("other.toml"));
+    std::fs::write(&other, ROPE.replace("particles = 5", "particles = 9")).unwrap();
+    let writer = std::thread::spawn(move || {
+        // It opens as soon as it is read; then another file has its name.
+        let mut pipe = std::fs::OpenOptions::new().write(true).open(&path).unwrap();
+        std::fs::rename(&other, &path).unwrap();
+        pipe.write_all(ROPE.as_bytes()).unwrap();
+    });
+    let viewed = Viewed::scene(&folder, &[]);
+    writer.join().unwrap();
+    let (_, scene) = viewed.asked("/desktop/scene.json");
+    let scene: serde_json::Value = serde_json::from_slice(&scene).unwrap();
+    assert_eq!(scene["text"].as_str(), Some(ROPE));
+    assert_eq!(viewed.asked("/desktop/frames").1.len(), FRAMES * BYTES);
 }
 
 #[test]
 fn other_hosts_are_not_answered() {
     let viewed = Viewed::scene(&Folder::with(ROPE), &[]);
     let port = viewed.address.port();
-    assert_eq!(viewed.asked_as("/desktop/scene.json", &format!("localhost:{port}")).0, 200);
-    assert_eq!(viewed.asked_as("/desktop/scene.json", "example.org").0, 403);
-    assert_eq!(viewed.asked_as("/desktop/scene.json", &format!("example.org:{port}")).0, 403);
+    assert_eq!(viewed.asked_as("/desktop/scene.json", &format!("localhost:{port}"), "").0, 200);
+    assert_eq!(viewed.asked_as("/desktop/scene.json", "example.org", "").0, 403);
+    assert_eq!(viewed.asked_as("/desktop/scene.json", &format!("example.org:{port}"), "").0, 403);
+}
+
+#[test]
+fn pages_of_other_sites_start_no_run() {
+    let viewed = Viewed::scene(&Folder::with(ROPE), &[]);
+    let here = viewed.address.to_string();
+    let asked = |path, headers: &str| viewed.asked_as(path, &here, headers).0;
+    for headers in ["Origin: https://example.org\r\n", "Sec-Fetch-Site: cross-site\r\n"] {
+        assert_eq!(asked("/desktop/frames", headers), 403, "{headers}");
+        assert_eq!(asked("/desktop/scene.json", headers), 403, "{headers}");
+        // A link from elsewhere leads to the page all the same.
+        assert_eq!(asked("/", headers), 200, "{headers}");
+    }
+    assert_eq!(asked("/desktop/frames", &format!("Origin: http://{here}\r\nSec-Fetch-Site: same-origin\r\n")), 200);
 }
 
 #[test]

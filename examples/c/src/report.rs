@@ -50,7 +50,8 @@ pub struct HookeLedger {
     pub work_of_pins: f64,
     /// The first three when it was opened.
     pub opened_with: f64,
-    /// What the stepper has added (positive) or lost (negative) since then: 0 for the exact solution.
+    /// What the stepper has added (positive) or lost (negative) since then: 0 for the exact solution. Whatever is changed from
+    /// outside counts into it, until the ledger is opened anew.
     pub remainder: f64,
 }
 

@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::print;
 use crate::advice::{Advice, vanishing_time_step};
 use crate::model::Model;
-use crate::scene::{Overrides, Precision, Scene, Settings, TimeStep};
+use crate::scene::{Overrides, Precision, Scene, Settings, Texts, TimeStep, text_of_file};
 use crate::simulate::{BuildError, MOST, RunError, Start};
 use crate::units::{count, counted};
 
@@ -21,7 +21,12 @@ pub(super) struct Loaded {
 
 impl Loaded {
     pub(super) fn load(path: &Path, overrides: &Overrides) -> Result<Self, Failure> {
-        let mut scene = Scene::load(path)?;
+        Self::of(path, overrides, &mut text_of_file)
+    }
+
+    /// Of texts, by their paths.
+    pub(super) fn of(path: &Path, overrides: &Overrides, text: Texts<'_>) -> Result<Self, Failure> {
+        let mut scene = Scene::of(path, text)?;
         scene.apply(overrides)?;
         if let TimeStep::Seconds(time_step) = scene.settings().time_step
             && vanishing_time_step(scene.settings(), time_step)

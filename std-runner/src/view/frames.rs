@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use hooke::{Balance, Compensated};
 
+use super::server::Tell;
 use super::shown::Shown;
 use crate::record::{BoxedRecorder, Frame, RecordError, Recorder, Sample};
 use crate::scene::Precision;
@@ -25,24 +26,26 @@ const NUMBERS: usize = 8;
 /// damping and in impacts, made by the stepper, total; NaN where not known), then positions in `f32`, by particle number.
 ///
 /// After the last frame comes one whose time is NaN where the run did not reach its end; then the next numbers are the
-/// particle whose state would have been no number, −1 if it was not that, and the time of the last whole step.
-pub(super) fn frames(shown: Arc<Shown>, interrupted: &'static AtomicBool) -> impl Read {
+/// particle whose state would have been no number, −1 if it was not that, and the time of the last whole step. `tell` hears
+/// why.
+pub(super) fn frames(shown: Arc<Shown>, tell: Tell, interrupted: &'static AtomicBool) -> impl Read {
     let (send, receive) = sync_channel(AHEAD);
-    let (tell, told) = channel();
+    let (balance, balances) = channel();
     thread::spawn(move || {
         let last = send.clone();
         let particles = shown.model.particles.len();
         let ran = match shown.settings.precision {
-            Precision::F32 => stepped::<f32>(&shown, send, tell, interrupted),
-            Precision::F32Compensated => stepped::<Compensated>(&shown, send, tell, interrupted),
-            Precision::F64 => stepped::<f64>(&shown, send, tell, interrupted),
+            Precision::F32 => stepped::<f32>(&shown, send, balance, interrupted),
+            Precision::F32Compensated => stepped::<Compensated>(&shown, send, balance, interrupted),
+            Precision::F64 => stepped::<f64>(&shown, send, balance, interrupted),
         };
-        if let Some(end) = early_end(ran, particles) {
+        tell(&shown, &ran);
+        if let Some(end) = early_end(&ran, particles) {
             // Nobody may be there any more to read it.
             let _ = last.send(end);
         }
     });
-    Stream { receive, told, row: None, bytes: Vec::new(), at: 0 }
+    Stream { receive, told: balances, row: None, bytes: Vec::new(), at: 0 }
 }
 
 fn stepped<R: Stepped>(
@@ -58,14 +61,21 @@ fn stepped<R: Stepped>(
 }
 
 /// What says that a run ended before its time.
-fn early_end(ran: Result<Summary, RunError>, particles: usize) -> Option<Made> {
-    let summary = ran.ok()?;
-    let particle = match summary.ending {
-        Ending::NonFinite { particle } => f64::from(particle),
-        Ending::Refused(_) => -1.0,
-        _ => return None,
+fn early_end(ran: &Result<Summary, RunError>, particles: usize) -> Option<Made> {
+    let (particle, reached) = match ran {
+        Ok(summary) => {
+            let particle = match summary.ending {
+                Ending::NonFinite { particle } => f64::from(particle),
+                Ending::Refused(_) => -1.0,
+                _ => return None,
+            };
+            (particle, summary.schedule.step_end(summary.steps))
+        }
+        // Nobody reads any more.
+        Err(RunError::Record { .. }) => return None,
+        // Nothing has been stepped.
+        Err(_) => (-1.0, 0.0),
     };
-    let reached = summary.schedule.step_end(summary.steps);
     let positions = vec![0; 12 * particles];
     Some(Made { time: f64::NAN, end: Some([particle, reached]), positions })
 }

@@ -7,13 +7,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use oxhttp::model::header::{CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, HOST};
+use oxhttp::model::header::{CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE};
 use oxhttp::model::{Body, HeaderValue, Method, Request, Response, StatusCode};
 use oxhttp::{ListeningServer, Server as Http};
 
+use super::asker::{is_for_here, is_own_page};
 use super::files;
 use super::frames::frames;
 use super::shown::Shown;
+use crate::simulate::{RunError, Summary};
 
 /// Between two looks at whether it is to end.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
@@ -32,6 +34,9 @@ pub struct ServerError {
     pub source: io::Error,
 }
 
+/// What hears of a run of what is shown, when it has ended.
+pub type Tell = fn(&Shown, &Result<Summary, RunError>);
+
 /// A server of one scene.
 pub struct Server {
     address: SocketAddr,
@@ -39,15 +44,16 @@ pub struct Server {
 }
 
 impl Server {
-    /// Listens on a port of the loopback interface; 0 is any that is free. Runs that pages look at end when `interrupted`.
+    /// Listens on a port of the loopback interface; 0 is any that is free. Runs that pages look at end when `interrupted`;
+    /// what became of each is given to `tell`.
     ///
     /// # Errors
     /// If the port is taken, or may not be used.
-    pub fn listen(port: u16, shown: Shown, interrupted: &'static AtomicBool) -> Result<Self, ServerError> {
+    pub fn listen(port: u16, shown: Shown, tell: Tell, interrupted: &'static AtomicBool) -> Result<Self, ServerError> {
         let refused = |source| ServerError { port, source };
         let address = free_address(port).map_err(refused)?;
         let shown = Arc::new(shown);
-        let http = Http::new(move |request| answer(request, address, &shown, interrupted))
+        let http = Http::new(move |request| answer(request, address.port(), &shown, tell, interrupted))
             .bind(address)
             .with_max_concurrent_connections(MOST_CONNECTIONS)
             .spawn()
@@ -77,20 +83,28 @@ fn free_address(port: u16) -> io::Result<SocketAddr> {
 
 fn answer(
     request: &Request<Body>,
-    own: SocketAddr,
+    port: u16,
     shown: &Arc<Shown>,
+    tell: Tell,
     interrupted: &'static AtomicBool,
 ) -> Response<Body> {
-    if !is_for_here(request, own) {
+    if !is_for_here(request.headers(), port) {
         return refusal(StatusCode::FORBIDDEN, "this server is for pages of this machine");
     }
     if *request.method() != Method::GET {
         return refusal(StatusCode::METHOD_NOT_ALLOWED, "there is nothing here but to GET");
     }
-    match request.uri().path().trim_start_matches('/') {
+    let path = request.uri().path().trim_start_matches('/');
+    // A page of another site cannot read the answer, but to ask is to start a run.
+    if path.starts_with("desktop/") && !is_own_page(request.headers(), port) {
+        return refusal(StatusCode::FORBIDDEN, "the run is for the page that is served here");
+    }
+    match path {
         "" | "index.html" => of(page(), "text/html; charset=utf-8"),
-        "desktop/scene.json" => of(shown.json(), "application/json"),
-        "desktop/frames" => of(Body::from_read(frames(Arc::clone(shown), interrupted)), "application/octet-stream"),
+        "desktop/scene.json" => of(shown.texts.json(), "application/json"),
+        "desktop/frames" => {
+            of(Body::from_read(frames(Arc::clone(shown), tell, interrupted)), "application/octet-stream")
+        }
         path => match files::at(path) {
             Some(file) => {
                 let mut response = of(file.bytes, file.kind);
@@ -102,12 +116,6 @@ fn answer(
             None => refusal(StatusCode::NOT_FOUND, "there is no such file here"),
         },
     }
-}
-
-/// Whether a request names this machine: a page from elsewhere that was made to resolve to it does not.
-fn is_for_here(request: &Request<Body>, own: SocketAddr) -> bool {
-    let host = request.headers().get(HOST).and_then(|host| host.to_str().ok());
-    host.is_some_and(|host| ["127.0.0.1", "localhost"].iter().any(|name| host == format!("{name}:{}", own.port())))
 }
 
 /// The page, marked as coming from here.

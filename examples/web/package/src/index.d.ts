@@ -124,7 +124,10 @@ export interface Energy {
   workOfPins: number;
   /** The total when the ledger was opened. */
   openedWith: number;
-  /** What the stepper itself has added or lost: 0 for the exact solution. */
+  /**
+   * What the stepper itself has added or lost: 0 for the exact solution. Whatever is changed from outside counts into it, until
+   * the ledger is opened anew.
+   */
   remainder: number;
 }
 

@@ -27,24 +27,39 @@ export class App extends EventTarget {
   async open(chosen) {
     const { text, meshes } = chosen.text === null ? await textOf(chosen.scene) : chosen;
     const scene = await readScene(chosen.scene, text, meshes);
+    // Single precision may refuse what the reader takes: until its worlds stand nothing is changed.
+    this.#begin(chosen, scene);
     const isOther = this.text !== text;
     Object.assign(this, { chosen, scene, text, meshes });
     this.extent = extentOf(scene);
     if (isOther || !this.camera) this.camera = new Camera({ ...this.extent, chosen: scene.camera });
-    this.reset();
+    this.#show();
     this.#tell("scene");
   }
 
   /** The stepper of each side. */
   get names() {
-    const a = this.chosen.a ?? (this.scene.stepper === "auto" ? "velocity-verlet" : this.scene.stepper);
+    return this.#namesOf(this.chosen, this.scene);
+  }
+
+  #namesOf(chosen, scene) {
+    const a = chosen.a ?? (scene.stepper === "auto" ? "velocity-verlet" : scene.stepper);
     const first = a === DESKTOP && !this.desktop ? "velocity-verlet" : a;
-    return this.chosen.b ? [first, this.chosen.b] : [first];
+    return chosen.b ? [first, chosen.b] : [first];
   }
 
   reset() {
-    this.release();
-    this.sides.build(this.scene, this.names, settle(this.chosen, this.scene), { desktop: this.desktop });
+    this.#begin(this.chosen, this.scene);
+    this.#show();
+  }
+
+  #begin(chosen, scene) {
+    this.sides.build(scene, this.#namesOf(chosen, scene), settle(chosen, scene), { desktop: this.desktop });
+    // What a hand held has gone with the worlds before.
+    this.held = undefined;
+  }
+
+  #show() {
     this.stage.show(this.scene, this.extent, floorsOf(this.scene, this.extent), this.sides.list.length);
     this.#tell("built");
   }
@@ -85,7 +100,7 @@ export class App extends EventTarget {
     const { held } = this;
     if (!held) return;
     this.held = undefined;
-    this.sides.list.forEach((side) => side.release(held.particle, held.velocity));
+    this.sides.release(held.particle, held.velocity);
   }
 
   /** Moves what is held towards where the hand is, within one picture. */
@@ -97,7 +112,7 @@ export class App extends EventTarget {
     // What a throw is worth is what the hand did over several pictures.
     held.velocity = held.velocity.map((v, axis) => 0.7 * v + 0.3 * velocity[axis]);
     const from = seconds > 0 ? held.place : held.target;
-    this.sides.list.forEach((side) => side.hold(held.particle, from, velocity));
+    this.sides.hold(held.particle, from, velocity);
     held.place = held.target;
   }
 

@@ -40,7 +40,11 @@ export function settle(chosen, scene) {
   };
 }
 
-/** The time step of a scene that leaves it open: a quarter of the largest stable one, in two digits, as on the desktop. */
+/**
+ * The time step (s) of a scene that leaves it open: a quarter of Verlet's largest stable one, in two digits. All sides take it,
+ * whatever their steppers, so that they can be compared; `hooke run` goes by the scene's own stepper, and where a scene leaves
+ * that open too it looks for both in short runs.
+ */
 export function chooseTimeStep(limit, duration) {
   const longest = Math.min(LONGEST, duration);
   const part = PART_OF_BOUND * limit;

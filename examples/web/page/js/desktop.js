@@ -133,6 +133,11 @@ export class DesktopSide {
     return this.shown.ledger;
   }
 
+  /** Nothing that is done here changes its run. */
+  openLedger() {
+    return false;
+  }
+
   stableStep() {
     return Infinity;
   }

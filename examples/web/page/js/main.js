@@ -2,7 +2,7 @@
 
 import { load } from "../hooke/index.js";
 import { App } from "./app.js";
-import { fromShare } from "./choices.js";
+import { NOTHING_CHOSEN, fromShare } from "./choices.js";
 import { findDesktop } from "./desktop.js";
 import { unpack } from "./share.js";
 import { DESKTOP } from "./steppers.js";
@@ -20,12 +20,15 @@ async function begin() {
   const app = new App(hooke, stage, desktop);
   new Panel(app);
   new Picture(app);
-  await app.open(chosen);
+  await app.open(chosen).catch((error) => {
+    toast(error.message, true);
+    return app.open(NOTHING_CHOSEN);
+  });
   // Other code on the page, tests among it, can look at what is shown.
   globalThis.hookePage = app;
   addEventListener("hashchange", async () => {
     const other = await unpack(location.hash).catch((error) => void toast(error.message, true));
-    if (other) await app.open(fromShare(other));
+    if (other) await app.open(fromShare(other)).catch((error) => toast(error.message, true));
   });
   app.run();
 }

@@ -17,21 +17,24 @@ export class Side {
   /** @param {import("../hooke/index.js").Hooke} hooke */
   constructor(hooke, scene, stepper, choices) {
     Object.assign(this, { scene, stepper, choices, tracks: new Tracks(scene) });
-    const { stiffness, damping, restitution } = choices;
+    const { restitution } = choices;
     const world = hooke.world({
       gravity: choices.gravity,
       particles: { position: scene.position, velocity: scene.velocity, mass: scene.mass, hold: scene.hold },
-      springs: {
-        between: scene.between, restLength: scene.restLength,
-        stiffness: scene.stiffness.map((k) => k * stiffness), damping: scene.damping.map((k) => k * damping),
-      },
+      springs: { between: scene.between, restLength: scene.restLength, stiffness: scene.stiffness, damping: scene.damping },
       planes: scene.planes.map((plane) => ({ ...plane, restitution: restitution ?? plane.restitution })),
     });
     this.world = world;
-    this.#pace(choices);
-    world.stepper = stepper;
-    // The ledger opens here, before the first step.
-    world.energy();
+    try {
+      this.#scaleSprings(choices);
+      this.#pace(choices);
+      world.stepper = stepper;
+      // The ledger opens here, before the first step.
+      world.energy();
+    } catch (error) {
+      world.free();
+      throw error;
+    }
   }
 
   #pace({ timeStep, tolerance, collision }) {
@@ -41,6 +44,11 @@ export class Side {
     world.timeStep = timeStep;
     // Times are whole numbers of steps from the last change on: sums of steps would drift away from those.
     this.since = { time: world.time, steps: this.steps };
+  }
+
+  /** All springs at once, relative to what the scene made them. */
+  #scaleSprings({ stiffness, damping }) {
+    this.world.scaleSprings({ stiffness, damping });
   }
 
   get time() {
@@ -55,11 +63,7 @@ export class Side {
     if (changed("timeStep", "tolerance", "collision")) this.#pace(choices);
     if (changed("gravity")) world.setGravity(choices.gravity);
     if (changed("restitution")) scene.planes.forEach((plane, i) => world.setRestitution(i, choices.restitution ?? plane.restitution));
-    if (changed("stiffness", "damping")) {
-      for (let i = 0; i < scene.springs; i++) {
-        world.setSpring(i, { stiffness: scene.stiffness[i] * choices.stiffness, damping: scene.damping[i] * choices.damping });
-      }
-    }
+    if (changed("stiffness", "damping")) this.#scaleSprings(choices);
     this.stopped = undefined;
   }
 
@@ -129,6 +133,12 @@ export class Side {
 
   energy() {
     return this.world.energy();
+  }
+
+  /** Begins the balance anew: what was changed from outside is no doing of the stepper. */
+  openLedger() {
+    this.world.openLedger();
+    return true;
   }
 
   stableStep(stepper = this.stepper) {

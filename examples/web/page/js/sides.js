@@ -21,31 +21,35 @@ export class Sides {
     this.hooke = hooke;
   }
 
-  /** Begins anew. */
-  build(scene, names, choices, { desktop } = {}) {
+  /** Begins anew; where a world is refused everything stays as it was. */
+  build(scene, names, given, { desktop } = {}) {
+    const timeStep = given.timeStep ?? this.#chosenStep(scene, given);
+    const choices = { ...given, timeStep };
+    const list = [];
+    try {
+      for (const name of names) list.push(name === DESKTOP ? new DesktopSide(scene, desktop) : new Side(this.hooke, scene, name, choices));
+    } catch (error) {
+      list.forEach((side) => side.free());
+      throw error;
+    }
     this.list.forEach((side) => side.free());
-    Object.assign(this, { scene, due: 0, target: 0, slowness: 1, list: [], desktop });
-    this.timeStep = choices.timeStep ?? this.#chosenStep(scene, choices);
-    this.choices = { ...choices, timeStep: this.timeStep };
-    this.list = names.map((name) => this.#make(name));
+    Object.assign(this, { scene, timeStep, choices, list, due: 0, target: 0, slowness: 1 });
     this.histories = this.list.map(() => new History(SPAN));
     this.record();
   }
 
-  #make(name) {
-    if (name === DESKTOP) return new DesktopSide(this.scene, this.desktop);
-    return new Side(this.hooke, this.scene, name, this.choices);
-  }
-
   #chosenStep(scene, choices) {
     const probe = new Side(this.hooke, scene, "velocity-verlet", { ...choices, timeStep: LONGEST_STEP });
-    const limit = probe.stableStep();
-    probe.free();
-    return chooseTimeStep(limit, scene.duration);
+    try {
+      return chooseTimeStep(probe.stableStep(), scene.duration);
+    } finally {
+      probe.free();
+    }
   }
 
   /** The same state, other choices. */
   change(choices) {
+    const { choices: before } = this;
     this.timeStep = choices.timeStep ?? this.#chosenStep(this.scene, choices);
     this.choices = { ...choices, timeStep: this.timeStep };
     this.list.forEach((side) => {
@@ -53,6 +57,32 @@ export class Sides {
       side.change(this.choices);
     });
     this.due = 0;
+    if (["stiffness", "damping", "gravity"].some((key) => String(choices[key]) !== String(before[key]))) this.#openLedgers();
+  }
+
+  /** A hand puts a particle at a place, whence it moves with that velocity. */
+  hold(particle, place, velocity) {
+    this.list.forEach((side) => side.hold(particle, place, velocity));
+    const told = String([particle, place, velocity]);
+    if (told !== this.told) this.#openLedgers();
+    this.told = told;
+  }
+
+  /** The hand lets it go with that velocity. */
+  release(particle, velocity) {
+    this.list.forEach((side) => side.release(particle, velocity));
+    this.told = undefined;
+    this.#openLedgers();
+  }
+
+  /** After a change from outside: what comes from here on is each stepper's own. */
+  #openLedgers() {
+    this.histories = this.list.map((side, i) => {
+      if (!side.openLedger()) return this.histories[i];
+      side.isRecorded = false;
+      return new History(SPAN);
+    });
+    this.record();
   }
 
   /** Another stepper for a side, from where it is. */

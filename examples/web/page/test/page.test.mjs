@@ -135,6 +135,85 @@ test("what is changed live changes the motion and the limit", async () => {
   await close();
 });
 
+test("all springs are changed at once, relative to what the scene made them", async () => {
+  const { page, close } = await open(browser, server.url);
+  const found = await page.evaluate(() => {
+    hookePage.play(false);
+    const { scene, sides } = hookePage;
+    const { world } = sides.list[0];
+    const calls = [];
+    world.setSpring = (...told) => calls.push(told);
+    hookePage.choose({ stiffness: 4, damping: 0 });
+    const without = world.spring(0).damping;
+    hookePage.choose({ stiffness: 2, damping: 3 });
+    const ends = [0, scene.springs - 1];
+    return {
+      calls, without,
+      are: ends.map((i) => [world.spring(i).stiffness, world.spring(i).damping]),
+      // In single precision, as the world holds them.
+      given: ends.map((i) => [Math.fround(2 * scene.stiffness[i]), Math.fround(3 * scene.damping[i])]),
+    };
+  });
+  assert.deepEqual(found.calls, []);
+  assert.equal(found.without, 0);
+  assert.ok(found.given.flat().every((value) => value > 0), "the scene has no springs to tell it by");
+  assert.deepEqual(found.are, found.given);
+  await close();
+});
+
+test("what is changed from outside is no doing of the stepper", async () => {
+  const { page, close } = await open(browser, server.url);
+  await page.evaluate(() => (hookePage.play(false), hookePage.reset(), hookePage.step(20)));
+  const ledger = () => page.evaluate(() => {
+    const { sides } = hookePage;
+    return { remainder: sides.list[0].energy().remainder, rows: sides.histories[0].rows.length, last: sides.histories[0].rows.at(-1).remainder };
+  });
+  for (const changes of [{ stiffness: 4 }, { gravity: 0.5 }]) {
+    await page.evaluate(() => hookePage.step(2));
+    await page.evaluate(() => hookePage.step(2));
+    assert.ok((await ledger()).rows > 1);
+    await choose(page, changes);
+    assert.deepEqual(await ledger(), { remainder: 0, rows: 1, last: 0 }, JSON.stringify(changes));
+  }
+  // A hand that carries a particle off, and lets it go.
+  const [held, away] = await page.evaluate(() => {
+    const { sides } = hookePage;
+    const [x, y, z] = sides.list[0].positions.subarray(30, 33);
+    hookePage.hold(10, [x, y, z]);
+    return [10, [x + 0.3, y, z + 0.3]];
+  });
+  await page.evaluate(([held, away]) => hookePage.hold(held, away), [held, away]);
+  await pictures(page, 3);
+  assert.deepEqual(await ledger(), { remainder: 0, rows: 1, last: 0 });
+  await page.evaluate(() => hookePage.release());
+  assert.deepEqual(await ledger(), { remainder: 0, rows: 1, last: 0 });
+  // The control: what a stepper makes itself is told, and a change of what holds no energy leaves it.
+  await choose(page, { a: "explicit-euler" });
+  await page.evaluate(() => hookePage.step(40));
+  const made = (await ledger()).remainder;
+  assert.ok(made > 0, `explicit Euler makes ${made} J`);
+  await choose(page, { timeStep: 1e-5 });
+  assert.equal((await ledger()).remainder, made);
+  await close();
+});
+
+test("the axis of energy holds what there was at the start, as far as things have fallen", async () => {
+  const { page, close } = await open(browser, server.url);
+  const [falls, grows] = await page.evaluate(async () => {
+    const { energyScale } = await import(new URL("js/ui/energy-chart.js", location.href));
+    const row = (gravitational, total) => ({ gravitational, total, lostToDamping: 0, lostInImpacts: 0 });
+    const after = (...rows) => {
+      const histories = [{ rows: [] }];
+      return rows.reduce((scale, row) => (histories[0].rows.push(row), energyScale(histories, scale)), undefined).most;
+    };
+    // 10 J all along, of which 1 and then 6 show; and 10 J that become 60.
+    return [after(row(10, 10), row(9, 10), row(4, 10)), after(row(0, 10), row(0, 60), row(0, 60))];
+  });
+  assert.ok(falls >= 6, `6 J do not fit on an axis of ${falls} J`);
+  assert.ok(grows < 20, `one cannot see energy grow on an axis that is at ${grows} J at once`);
+  await close();
+});
+
 test("a link carries the scene and everything chosen", async () => {
   const { page, close } = await open(browser, server.url);
   const text = 'name = "of the link"\ngravity = [0.0, 0.0, -1.0]\n[[rope]]\nfrom = [0.0, 0.0, 1.0]\nto = [1.0, 0.0, 1.0]\nparticles = 7\nstiffness = 50.0\npinned = ["first"]\n';
@@ -159,6 +238,43 @@ test("a link carries the scene and everything chosen", async () => {
   const damaged = await open(browser, link.slice(0, -9));
   assert.match(await damaged.page.locator("#toast").innerText(), /link is damaged/);
   await damaged.close();
+  await close();
+});
+
+test("what the reader takes and single precision refuses leaves the scene before, and says why", async () => {
+  const { page, complaints, close } = await open(browser, server.url);
+  const light = (mass) => `[[particle]]\nposition = [0.0, 0.0, 1.0]\nmass = ${mass}\n`;
+  const goesOn = async () => {
+    const before = await page.evaluate(() => [hookePage.scene.name, hookePage.chosen.scene, hookePage.sides.list[0].steps]);
+    await page.waitForFunction((steps) => hookePage.sides.list[0].steps > steps, before[2]);
+    assert.deepEqual(before.slice(0, 2), ["hanging cloth", "hanging-cloth.toml"]);
+  };
+  await page.keyboard.press("e");
+  await page.locator("#text").fill(light("1e-50"));
+  await page.locator("#run").click();
+  await page.waitForFunction(() => document.getElementById("refusal").textContent !== "");
+  assert.match(await page.locator("#refusal").innerText(), /single precision: particle 0: .*mass/);
+  await goesOn();
+  await page.evaluate(() => document.getElementById("editor").close());
+  // The same by a link, on a page that is there and on one that begins with it.
+  const link = await page.evaluate(async (text) => {
+    const { pack } = await import(new URL("js/share.js", location.href));
+    return `#${await pack({ scene: "light.toml", text })}`;
+  }, light("1e-50"));
+  await page.evaluate((link) => (location.hash = link), link);
+  await page.waitForFunction(() => /particle 0: .*mass/.test(document.getElementById("toast").textContent));
+  await goesOn();
+  const there = await open(browser, server.url + link);
+  assert.match(await there.page.locator("#toast").innerText(), /particle 0: .*mass/);
+  assert.equal(await there.page.evaluate(() => hookePage.scene.name), "hanging cloth");
+  assert.deepEqual(there.complaints, []);
+  await there.close();
+  // The control: what single precision holds is taken.
+  await page.keyboard.press("e");
+  await page.locator("#text").fill(light("1e-30"));
+  await page.locator("#run").click();
+  await page.waitForFunction(() => hookePage.scene.particles === 1);
+  assert.deepEqual(complaints, []);
   await close();
 });
 

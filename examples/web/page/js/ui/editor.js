@@ -1,5 +1,6 @@
 // A scene's text, to read, change and run.
 
+import { HookeError } from "../../hooke/index.js";
 import { SceneRefused } from "../scene.js";
 import { toast } from "./toast.js";
 
@@ -70,8 +71,8 @@ export class Editor {
       at("editor").close();
       app.play(true);
     } catch (error) {
-      if (!(error instanceof SceneRefused)) throw error;
-      at("refusal").textContent = error.printed;
+      if (!(error instanceof SceneRefused || error instanceof HookeError)) throw error;
+      at("refusal").textContent = error.printed ?? `in the page's single precision: ${error.message}`;
       at("refusal").scrollIntoView({ block: "nearest" });
       if (error.range) {
         at("text").focus();

@@ -11,7 +11,9 @@ export const LAYERS = [
 const SHORTEST = 0.5;
 
 /** The axis that all sides share: what the first moments hold, with room above. */
-export function energyScale(histories, before) {
+export function energyScale(histories, scale) {
+  // Ledgers that were opened anew begin with another height.
+  const before = scale?.histories === histories ? scale : undefined;
   const rows = histories.flatMap((history) => history.rows);
   const sane = rows.filter((row) => Number.isFinite(row.total));
   const lowest = sane.reduce((low, row) => Math.min(low, row.gravitational), Infinity);
@@ -21,9 +23,11 @@ export function energyScale(histories, before) {
   const typical = sane.map((row) => row.total - base + row.lostToDamping + row.lostInImpacts).sort((a, b) => a - b);
   const median = typical[typical.length >> 1] ?? 0;
   const want = 1.45 * Math.max(start, Math.min(median, 4 * start || median), 1e-12);
-  // It follows slowly, so that one can watch something grow.
-  const most = before?.rows > 0 ? Math.max(before.most * 0.985, Math.min(want, before.most * 1.02)) : want;
-  return { floor: base, most: Math.abs(most / want - 1) < 0.02 ? want : most, rows: sane.length };
+  // It follows slowly, so that one can watch something grow; but not what there was at the start, of which more comes to light as
+  // things fall, nor from next to nothing.
+  const isNear = before?.rows > 0 && before.most > want / 8;
+  const most = isNear ? Math.max(before.most * 0.985, Math.min(want, before.most * 1.02), 1.45 * start) : want;
+  return { floor: base, most: Math.abs(most / want - 1) < 0.02 ? want : most, rows: sane.length, histories };
 }
 
 export function drawEnergy(canvas, history, { floor, most }, mark) {

@@ -98,10 +98,10 @@ export class Panel {
 
   #built() {
     const { sides } = this.app;
-    this.scale = undefined;
     this.charts = sides.list.map((_, i) => {
       const canvas = element("canvas", { className: "energy" });
       canvas.setAttribute("role", "img");
+      canvas.setAttribute("aria-label", "Energy");
       const title = element("span", { className: i === 0 ? "tag side-a" : "tag side-b" });
       const words = element("span", { className: "remainder" });
       return { canvas, title, words, row: element("figure", {}, element("figcaption", {}, title, words), canvas) };
