@@ -18,7 +18,9 @@ const BYTES: usize = 8 * 8 + PARTICLES * 12;
 struct Viewed {
     child: Child,
     address: SocketAddr,
-    /// What it says after its address.
+    /// What it said before its address.
+    before: Vec<String>,
+    /// What it says after it.
     said: Lines<BufReader<ChildStderr>>,
 }
 
@@ -32,11 +34,13 @@ impl Viewed {
             .spawn()
             .unwrap();
         let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
-        let address = said
-            .by_ref()
-            .map_while(Result::ok)
-            .find_map(|line| Some(line.strip_prefix("http://")?.trim_end_matches('/').parse().unwrap()));
-        Self { child, address: address.unwrap(), said }
+        let mut before = Vec::new();
+        let address = said.by_ref().map_while(Result::ok).find_map(|line| {
+            let address = line.strip_prefix("http://").map(|address| address.trim_end_matches('/').parse().unwrap());
+            before.push(line);
+            address
+        });
+        Self { child, address: address.unwrap(), before, said }
     }
 
     /// The status and the body of an answer to a browser that asks for `host`, with other lines of its own.
@@ -79,6 +83,15 @@ fn unchunked(mut rest: &[u8]) -> Vec<u8> {
         rest = &rest[(end + 4 + size).min(rest.len())..];
     }
     body
+}
+
+#[test]
+fn it_says_where_a_run_would_take_other_steps() {
+    let folder = Folder::with(ROPE);
+    let says =
+        |flags: &[&str]| Viewed::scene(&folder, flags).before.concat().contains("stepper and time step are open");
+    assert!(says(&["--time-step", "auto"]));
+    assert!(!says(&[]) && !says(&["--time-step", "auto", "--stepper", "velocity-verlet"]));
 }
 
 #[test]

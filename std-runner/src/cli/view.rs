@@ -7,8 +7,10 @@ use super::interrupt;
 use super::print;
 use super::scene::{Loaded, not_measured, warn};
 use super::told;
+use crate::accuracy::leaves_open;
 use crate::advice::{Subject, advise};
 use crate::simulate::{RunError, Summary};
+use crate::units::seconds;
 use crate::view::{Kept, Server, Shown};
 
 pub(super) fn view(arguments: &ViewArguments) -> Result<Outcome, Failure> {
@@ -19,6 +21,12 @@ pub(super) fn view(arguments: &ViewArguments) -> Result<Outcome, Failure> {
     warn(&advise(&Subject { model: &loaded.model, settings: &settings, start: &start, recorded_bytes: 0 }));
     if settings.max_error.is_some() {
         print::message("warning: max_error is for `hooke run`: here the time step is chosen for stability");
+    }
+    if let Some(time_step) = start.time_step.filter(|_| leaves_open(&settings) && start.plan.attached > 0) {
+        print::message(&format!(
+            "stepper and time step are open: here it is auto in steps of {}; `hooke run` finds both by pilot runs",
+            seconds(time_step)
+        ));
     }
     let shown = Shown { model: loaded.model, settings, texts };
     let interrupted = interrupt::watch();
