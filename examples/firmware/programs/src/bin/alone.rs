@@ -11,6 +11,7 @@ use hooke_firmware as _;
 use hooke_firmware_scenes::cloth;
 
 type Cloth = World<f32, 100, 502, 0>;
+#[allow(dead_code, reason = "alone, some steppers need no room")]
 type Room = Fixed<100, 502, 0>;
 
 fn step(world: &mut Cloth, stepper: &mut impl Stepper<f32>) {
