@@ -1,6 +1,6 @@
 //! Small worlds, stepped by every stepper, in every precision, with every form of collision: a [`Row`] each.
 //!
-//! Made to run on anything: a program for a machine hands the question that it is asked to [`answer`], and prints what it is
+//! Made to run on anything: a program for a machine hands the question that it is asked to [`answer()`], and prints what it is
 //! told.
 #![no_std]
 
