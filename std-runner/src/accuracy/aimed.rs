@@ -70,18 +70,18 @@ pub fn aim(model: &Model, settings: &Settings, interrupted: &AtomicBool) -> Resu
         return Ok(Aim::Given);
     }
     let mut pilots = Pilots::new(model, settings.clone(), start.bound, interrupted);
+    let best = highest(model);
+    let steppers = [StepperName::VelocityVerlet, best];
     // Only `auto` flies exactly what no spring pulls at.
-    let only = (start.plan.free() > 0).then_some(StepperName::VelocityVerlet);
+    let only = if start.plan.free() > 0 { &steppers[..1] } else { &steppers[..] };
     let shown = match show(&mut pilots, only, model.size())? {
         Seen::Steppers(shown) => shown,
         Seen::Diverged => return Ok(Aim::Lost),
         Seen::Interrupted => return Ok(Aim::Interrupted),
     };
     let allowed = USED * aimed_at(model);
-    let best = highest(model);
     let found = shown
         .iter()
-        .filter(|shown| shown.stepper == StepperName::VelocityVerlet || shown.stepper == best)
         .map(|shown| expected(shown, allowed, &pilots))
         .min_by(|one, other| one.cost.total_cmp(&other.cost));
     let Some(Expected { stepper, time_step, .. }) = found else { return Ok(Aim::Lost) };

@@ -84,7 +84,7 @@ struct Chooser<'a> {
 impl Chooser<'_> {
     fn choose(mut self) -> Result<Option<Chosen>, RunError> {
         let best = highest(self.pilots.model);
-        match show(&mut self.pilots, self.asked.stepper, self.size)? {
+        match show(&mut self.pilots, self.asked.stepper.as_slice(), self.size)? {
             Seen::Steppers(shown) => shown.iter().for_each(|shown| self.consider(shown)),
             // Whatever is chosen will diverge as well, and say where.
             Seen::Diverged => {}

@@ -51,14 +51,14 @@ impl Shown {
     }
 }
 
-/// Flies pilots of the steppers that may be the cheapest for a scene of that size (m), or of `only` that one.
+/// Flies pilots of the steppers that may be the cheapest for a scene of that size (m), or of `only` these if there are any.
 ///
 /// # Errors
 /// If the scene cannot be run at all.
-pub(super) fn show(pilots: &mut Pilots<'_>, only: Option<StepperName>, size: f64) -> Result<Seen, RunError> {
+pub(super) fn show(pilots: &mut Pilots<'_>, only: &[StepperName], size: f64) -> Result<Seen, RunError> {
     let best = highest(pilots.model);
     let steps = pilots.duration / pilots.limit(best);
-    if only.is_none() && steps < SHORT_RUN.0 {
+    if only.len() != 1 && steps < SHORT_RUN.0 {
         let (time_step, error) = (pilots.limit(best), SHORT_RUN.1 * size);
         pilots.settings.duration = 0.0;
         let rounding = FLIGHT_ROUNDING * size;
@@ -76,7 +76,7 @@ pub(super) fn show(pilots: &mut Pilots<'_>, only: Option<StepperName>, size: f64
         Flown::Diverged => f64::INFINITY,
         Flown::Interrupted => return Ok(Seen::Interrupted),
     };
-    let candidates = only.map_or_else(|| candidates(pilots, best, steps), |only| vec![only]);
+    let candidates = if only.is_empty() { candidates(pilots, best, steps) } else { only.to_vec() };
     let mut shown = Vec::new();
     for stepper in candidates {
         match pilots.fly(stepper, Precision::F64, pilots.limit(stepper))? {
