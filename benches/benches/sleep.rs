@@ -43,11 +43,11 @@ fn sleep(criterion: &mut Criterion) {
             world.set_sleep(sleep).expect("sound");
             let mut stepper = AnyStepper::named(name, 1e-6);
             for _ in 0..100 {
-                world.step(&mut stepper, &mut Project, TIME_STEP).expect("stable");
+                world.step(stepper.any(), &mut Project, TIME_STEP).expect("stable");
             }
             assert_eq!(world.view().plan().islands_asleep, if sleep.is_some() { 990 } else { 0 });
             group.bench_function(format!("{name} {label}"), |bencher| {
-                bencher.iter(|| world.step(&mut stepper, &mut Project, TIME_STEP));
+                bencher.iter(|| world.step(stepper.any(), &mut Project, TIME_STEP));
             });
         }
     }

@@ -32,7 +32,7 @@ fn ours<R: Real>(group: &mut BenchmarkGroup<'_, WallTime>, precision: &str, mode
         let mut stepper = AnyStepper::named(name, 1e-6);
         let dt = R::from_f64(TIME_STEP);
         group.bench_function(format!("{name} {precision}"), |bencher| {
-            bencher.iter(|| world.step(&mut stepper, &mut Project, dt));
+            bencher.iter(|| world.step(stepper.any(), &mut Project, dt));
         });
     }
 }

@@ -179,7 +179,7 @@ impl Method {
     fn take(&mut self, world: &mut HeapWorld<f32>, time_step: f32, steps: u32) {
         let Self(stepper, response) = self;
         for _ in 0..steps {
-            world.step(stepper, response, time_step).expect("a stable step");
+            world.step(stepper.any(), response, time_step).expect("a stable step");
         }
     }
 }

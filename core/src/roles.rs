@@ -5,6 +5,8 @@ use crate::types::{Full, StepError, StepReport};
 use crate::world::{Plan, View};
 
 /// A rule that makes the state a time step later from the state now.
+///
+/// Whoever takes one takes a `&mut dyn Stepper<R>` too: so a program that chooses while it runs has one copy of the rest.
 pub trait Stepper<R: Real> {
     /// Makes room for a world.
     ///
@@ -92,7 +94,7 @@ pub trait Response<R: Real> {
     fn step(
         &mut self,
         view: &mut View<'_, R>,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError>;
@@ -108,7 +110,7 @@ pub trait Observer<R: Real> {
     fn advanced(&mut self, view: &mut View<'_, R>, dt: R);
 
     /// The same, with who advanced: it may be able to tell what is between the two states.
-    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, _stepper: &mut impl Stepper<R>) {
+    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, _stepper: &mut (impl Stepper<R> + ?Sized)) {
         self.advanced(view, dt);
     }
 

@@ -13,7 +13,7 @@ impl<R: Real> View<'_, R> {
     /// stays as it is.
     pub fn free_at(
         &mut self,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         time: f64,
     ) -> Option<impl Iterator<Item = (u32, R::Vec3, R::Vec3)>> {
         if !stepper.look_ahead(&mut self.awake(), time) {
@@ -38,7 +38,7 @@ impl<R: Real> View<'_, R> {
     /// then as it was.
     pub fn step(
         &mut self,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         response: &mut impl Response<R>,
         dt: R,
     ) -> Result<StepReport, StepError> {
@@ -51,7 +51,7 @@ impl<R: Real> View<'_, R> {
     /// Like [`View::step`].
     pub fn step_observed(
         &mut self,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         response: &mut impl Response<R>,
         dt: R,
         observer: &mut impl Observer<R>,
@@ -67,7 +67,7 @@ impl<R: Real> View<'_, R> {
     /// Like [`View::step`]; `end` must be finite and later than the current time.
     pub fn step_to(
         &mut self,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         response: &mut impl Response<R>,
         dt: R,
         end: f64,
@@ -91,7 +91,7 @@ impl<R: Real> View<'_, R> {
 
     fn take(
         &mut self,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         response: &mut impl Response<R>,
         dt: R,
         end: Clock,
@@ -130,7 +130,7 @@ impl<R: Real> View<'_, R> {
 #[inline(never)]
 fn respond<R: Real>(
     view: &mut View<'_, R>,
-    stepper: &mut impl Stepper<R>,
+    stepper: &mut (impl Stepper<R> + ?Sized),
     response: &mut impl Response<R>,
     dt: R,
     observer: &mut impl Observer<R>,
@@ -145,7 +145,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// Like [`View::step`].
     pub fn step(
         &mut self,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         response: &mut impl Response<R>,
         dt: R,
     ) -> Result<StepReport, StepError> {

@@ -101,7 +101,7 @@ fn without_an_anchor_it_would_be() {
     let mut world = world::<f32>(&model(AWAY), [0.0, 0.0, -9.81]).unwrap();
     let mut stepper = AnyStepper::<f32>::named(StepperName::VelocityVerlet, 1e-6);
     for _ in 0..50_000 {
-        world.step(&mut stepper, &mut Project, 1e-4).unwrap();
+        world.step(stepper.any(), &mut Project, 1e-4).unwrap();
     }
     let there = world.position(1).unwrap();
     let here = end([0.0; 3])[1];

@@ -51,7 +51,7 @@ fn radius(stepper: StepperName, zeta: f64, h: f64) -> f64 {
             ..Model::default()
         };
         let mut world = world::<f64>(&model, [0.0; 3]).unwrap();
-        world.step(&mut AnyStepper::named(stepper, 1e-12), &mut Reflect, h).unwrap();
+        world.step(AnyStepper::named(stepper, 1e-12).any(), &mut Reflect, h).unwrap();
         [world.position(1).unwrap().x - 1.0, world.velocity(1).unwrap().x]
     };
     // So little that no stage turns the spring round, and rounding stays below 1e-11 of it.

@@ -32,7 +32,7 @@ pub fn run(problem: &Problem, stepper: StepperName, collision: CollisionForm, dt
     let steps = (time / dt).round().max(1.0);
     for step in 1..=steps as u64 {
         let (length, end) = (time / steps, time * step as f64 / steps);
-        let taken = world.view().step_to(&mut stepper, &mut response, length, end, &mut ledger);
+        let taken = world.view().step_to(stepper.any(), &mut response, length, end, &mut ledger);
         report.add(&taken.expect("a finite step"));
     }
     let view = world.view();

@@ -46,7 +46,7 @@ impl<R: Real> Run<R> {
     /// # Errors
     /// As the core says.
     pub fn try_step(&mut self, dt: f64) -> Result<StepReport, StepError> {
-        self.world.step(&mut self.stepper, &mut self.response, R::from_f64(dt))
+        self.world.step(self.stepper.any(), &mut self.response, R::from_f64(dt))
     }
 
     /// `count` steps of `dt` in s; returns their reports added up.

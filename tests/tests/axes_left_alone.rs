@@ -32,7 +32,7 @@ fn stay<R: Real>() {
     for frame in 0..FRAMES {
         if frame % 3 == 1 {
             let time = f64::from(frame) * FRAME + 0.3 * FRAME;
-            let ahead = run.world.view().free_at(&mut run.stepper, time).map(Iterator::count);
+            let ahead = run.world.view().free_at(run.stepper.any(), time).map(Iterator::count);
             assert_eq!(ahead, Some(BALLS as usize));
         }
         run.steps(1, FRAME);

@@ -16,7 +16,7 @@ fn steps<R: Real>(run: &mut Run<R>, count: usize, duration: f64) {
     let time = |step: usize| duration * step as f64 / count as f64;
     for step in 1..=count {
         let dt = R::from_f64(time(1));
-        run.world.view().step_to(&mut run.stepper, &mut run.response, dt, time(step), &mut ()).unwrap();
+        run.world.view().step_to(run.stepper.any(), &mut run.response, dt, time(step), &mut ()).unwrap();
     }
 }
 

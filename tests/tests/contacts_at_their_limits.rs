@@ -9,7 +9,7 @@ use hooke::{
 type Room = Fixed<128, 128, 4>;
 type Large<R> = World<R, 128, 128, 4>;
 
-fn run<R: Real>(world: &mut Large<R>, stepper: &mut impl Stepper<R>, dt: f64, steps: u32) -> StepReport {
+fn run<R: Real>(world: &mut Large<R>, stepper: &mut (impl Stepper<R> + ?Sized), dt: f64, steps: u32) -> StepReport {
     let mut response = TimeOfImpact::<R, Room>::new();
     let mut total = StepReport::default();
     for _ in 0..steps {

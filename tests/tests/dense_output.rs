@@ -40,7 +40,7 @@ impl<R: Real> Observer<R> for Look {
 
     fn advanced(&mut self, _view: &mut View<'_, R>, _dt: R) {}
 
-    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, stepper: &mut impl Stepper<R>) {
+    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, stepper: &mut (impl Stepper<R> + ?Sized)) {
         let start = view.time();
         let mut seen = Vec::new();
         for part in &self.parts {
@@ -59,7 +59,7 @@ impl<R: Real> Observer<R> for Look {
 /// What is seen in so many steps of a problem, or one that is taken in parts.
 fn look<R: Real>(
     problem: &Problem,
-    stepper: &mut impl Stepper<R>,
+    stepper: &mut (impl Stepper<R> + ?Sized),
     response: &mut impl Response<R>,
     parts: &[f64],
     count: usize,

@@ -35,7 +35,7 @@ fn digest<R: Real>(model: &Model, stepper: StepperName, form: CollisionForm, lan
         if let Some(threads) = &threads {
             view.share_among(threads);
         }
-        view.step(&mut run.stepper, &mut run.response, R::from_f64(1e-3)).unwrap();
+        view.step(run.stepper.any(), &mut run.response, R::from_f64(1e-3)).unwrap();
     }
     digest::of(&run.world.view())
 }

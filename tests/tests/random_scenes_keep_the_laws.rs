@@ -24,12 +24,12 @@ impl<R: Real, M: Storage> Run<R, M> {
     }
 
     fn step(&mut self, dt: f64, observer: &mut impl Observer<R>) -> Result<StepReport, StepError> {
-        self.world.view().step_observed(&mut self.stepper, &mut self.response, R::from_f64(dt), observer)
+        self.world.view().step_observed(self.stepper.any(), &mut self.response, R::from_f64(dt), observer)
     }
 
     fn step_to(&mut self, end: f64) {
         let dt = R::from_f64(end - self.world.time());
-        self.world.view().step_to(&mut self.stepper, &mut self.response, dt, end, &mut ()).unwrap();
+        self.world.view().step_to(self.stepper.any(), &mut self.response, dt, end, &mut ()).unwrap();
     }
 
     fn digest(&mut self) -> u64 {
@@ -281,7 +281,7 @@ fn the_same_at_common_times<R: Real>(seed: u64, scene: &RandomScene) {
         while random.below(6) > 0 {
             time += random.between(0.0, 0.5) * (to - time);
             fine.step_to(time);
-            curious.world.view().free_at(&mut curious.stepper, time).map(Iterator::count);
+            curious.world.view().free_at(curious.stepper.any(), time).map(Iterator::count);
         }
         fine.step_to(to);
         curious.step_to(to);

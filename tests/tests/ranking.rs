@@ -22,7 +22,7 @@
 //! not met by any cloth that met the rest, and is left out. The implicit methods' costs hold for other solvers.
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
-use hooke::{AdaptiveDop853, Reflect, Stepper};
+use hooke::{AdaptiveDop853, Reflect};
 use hooke_runner::model::{Hold, Model, ModelParticle, ModelSpring};
 use hooke_runner::scene::{CollisionForm, StepperName};
 use hooke_runner::simulate::{AnyStepper, Heap, world};
@@ -154,7 +154,7 @@ impl Column {
     /// logarithms go.
     fn costs(&self, reference: &Moment, row: &Row) -> Costs {
         let mut costs = [0.0; 4];
-        let order = f64::from(Stepper::<f64>::order(&AnyStepper::<f64>::named(row.stepper, 1.0)));
+        let order = f64::from(AnyStepper::<f64>::named(row.stepper, 1.0).any().order());
         let mut steps = self.first_steps(row.stepper);
         let mut before = (f64::INFINITY, 0.0);
         let missing = |costs: &Costs| (0..4).find(|level| row.costs[*level] > 0.0 && costs[*level] == 0.0);

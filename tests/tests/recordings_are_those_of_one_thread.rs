@@ -37,7 +37,7 @@ fn by_hand<R: Sample>(folder: &Path, model: &Model, settings: &Settings) {
     for number in 0..FRAMES {
         let time = number as f64 * STEP;
         if number > 0 {
-            world.view().step_to(&mut stepper, &mut response, R::from_f64(STEP), time, &mut ()).unwrap();
+            world.view().step_to(stepper.any(), &mut response, R::from_f64(STEP), time, &mut ()).unwrap();
         }
         let (position, velocity): (Vec<[R; 3]>, Vec<[R; 3]>) =
             world.view().states().map(|(x, v)| (x.into(), v.into())).unzip();

@@ -80,7 +80,7 @@ fn step<R: Real>(world: &mut HeapWorld<R>, stepper: StepperName, response: Colli
     let mut stepper = AnyStepper::named(stepper, 1e-6);
     let mut response = AnyResponse::named(response);
     for _ in 0..steps {
-        world.step(&mut stepper, &mut response, R::from_f64(TIME_STEP)).unwrap();
+        world.step(stepper.any(), &mut response, R::from_f64(TIME_STEP)).unwrap();
     }
 }
 
@@ -123,7 +123,7 @@ fn what_sleeps_stays() {
         let before = bits(&world, &rope);
         let mut stepper_again = AnyStepper::named(stepper, 1e-6);
         for _ in 0..100 {
-            let report = world.step(&mut stepper_again, &mut Project, TIME_STEP).unwrap();
+            let report = world.step(stepper_again.any(), &mut Project, TIME_STEP).unwrap();
             assert_eq!(report.islands_asleep, 1, "{stepper}");
         }
         assert!(before == bits(&world, &rope), "{stepper}");

@@ -139,6 +139,6 @@ fn repeat<R: Real>(world: &mut HeapWorld<R>, stepper: &mut AnyStepper<R>, thread
         if let Some(threads) = threads {
             view.share_among(threads);
         }
-        view.step(stepper, &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
+        view.step(stepper.any(), &mut Project, R::from_f64(TIME_STEP)).expect("a stable step");
     }
 }

@@ -17,7 +17,7 @@ const MOST_STEPS: u32 = 8;
 /// there. A path that dips beyond a plane and is back within one step is not noticed.
 pub fn locate<R: Real>(
     view: &mut View<'_, R>,
-    stepper: &mut impl Stepper<R>,
+    stepper: &mut (impl Stepper<R> + ?Sized),
     slot: u32,
     plane: &Plane<R>,
     guess: R,

@@ -8,7 +8,7 @@ use crate::world::View;
 /// Advances a whole step, the last part of it to the next state.
 pub fn advance_in_parts<R: Real>(
     view: &mut View<'_, R>,
-    stepper: &mut impl Stepper<R>,
+    stepper: &mut (impl Stepper<R> + ?Sized),
     dt: R,
     observer: &mut impl Observer<R>,
 ) -> Result<StepReport, StepError> {

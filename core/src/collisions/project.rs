@@ -20,7 +20,7 @@ impl<R: Real> Response<R> for Project {
     fn step(
         &mut self,
         view: &mut View<'_, R>,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {

@@ -64,7 +64,7 @@ impl<R: Real, M: Storage> Response<R> for TimeOfImpact<R, M> {
     fn step(
         &mut self,
         view: &mut View<'_, R>,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
@@ -116,7 +116,7 @@ struct Hit<R> {
 
 fn step<R: Real>(
     view: &mut View<'_, R>,
-    stepper: &mut impl Stepper<R>,
+    stepper: &mut (impl Stepper<R> + ?Sized),
     dt: R,
     observer: &mut impl Observer<R>,
     start: &mut Start<'_, R>,
@@ -203,7 +203,7 @@ fn step<R: Real>(
 /// Advances what springs pull at towards the end of the step, and tells by how much and the first hit on the way there.
 fn advance_to_hit<R: Real>(
     view: &mut View<'_, R>,
-    stepper: &mut impl Stepper<R>,
+    stepper: &mut (impl Stepper<R> + ?Sized),
     rest: R,
     report: &mut StepReport,
 ) -> Result<(R, Option<Hit<R>>), StepError> {

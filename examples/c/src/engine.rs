@@ -1,8 +1,6 @@
 //! A world with what steps it, in one precision.
 
-use hooke::{
-    Balance, Container, Hold, Ledger, Particle, Plane, Real, SetError, Spring, StabilityBound, StepReport, Stepper,
-};
+use hooke::{Balance, Container, Hold, Ledger, Particle, Plane, Real, SetError, Spring, StabilityBound, StepReport};
 
 use crate::arena::{Arena, Capacity, InArena};
 use crate::code::{HookeCode, Outcome};
@@ -233,15 +231,15 @@ impl<R: Real> Engine<R> {
             let taken: Outcome<StepReport> = workspace.lend(|| {
                 let mut view = world.view();
                 if *prepared_for != Some(dt) && length > R::ZERO && length.is_finite() {
-                    stepper.accept(view.plan())?;
-                    stepper.fit(view.plan())?;
+                    stepper.any().accept(view.plan())?;
+                    stepper.any().fit(view.plan())?;
                     stepper.prepare(&view, length)?;
                     if workspace.has_refused() && !choices.may_do_without_factor {
                         return Err(HookeCode::Workspace.into());
                     }
                     *prepared_for = Some(dt);
                 }
-                Ok(view.step_to(stepper, response, length, pace.next_end(), ledger)?)
+                Ok(view.step_to(stepper.any(), response, length, pace.next_end(), ledger)?)
             });
             total.add(&taken?);
             pace.count += 1;

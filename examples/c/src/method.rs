@@ -51,6 +51,24 @@ impl<R: Real> AnyStepper<R> {
         }
     }
 
+    /// Whichever it is.
+    pub fn any(&mut self) -> &mut dyn Stepper<R> {
+        match self {
+            Self::ExplicitEuler(stepper) => stepper,
+            Self::SemiImplicitEuler(stepper) => stepper,
+            Self::ImplicitEuler(stepper) => stepper,
+            Self::ImplicitEulerLinearised(stepper) => stepper,
+            Self::VelocityVerlet(stepper) => stepper,
+            Self::Rk4(stepper) => stepper,
+            Self::BlanesMoanS6(stepper) => stepper,
+            Self::Dop853(stepper) => stepper,
+            Self::DormandPrinceRkn8(stepper) => stepper,
+            Self::ImplicitMidpoint(stepper) => stepper,
+            Self::TrBdf2(stepper) => stepper,
+            Self::Auto(stepper) => stepper,
+        }
+    }
+
     /// Makes room for what solves the linear systems of steps of `dt` seconds, if the stepper has any.
     pub fn prepare(&mut self, view: &View<'_, R>, dt: R) -> Result<(), Full> {
         match self {
@@ -61,80 +79,6 @@ impl<R: Real> AnyStepper<R> {
             Self::Auto(stepper) => stepper.linear_solver(view, dt).map(|_| ()),
             _ => Ok(()),
         }
-    }
-}
-
-/// Calls a method of whichever stepper it is.
-macro_rules! each {
-    ($any:expr, $stepper:ident => $call:expr) => {
-        match $any {
-            AnyStepper::ExplicitEuler($stepper) => $call,
-            AnyStepper::SemiImplicitEuler($stepper) => $call,
-            AnyStepper::ImplicitEuler($stepper) => $call,
-            AnyStepper::ImplicitEulerLinearised($stepper) => $call,
-            AnyStepper::VelocityVerlet($stepper) => $call,
-            AnyStepper::Rk4($stepper) => $call,
-            AnyStepper::BlanesMoanS6($stepper) => $call,
-            AnyStepper::Dop853($stepper) => $call,
-            AnyStepper::DormandPrinceRkn8($stepper) => $call,
-            AnyStepper::ImplicitMidpoint($stepper) => $call,
-            AnyStepper::TrBdf2($stepper) => $call,
-            AnyStepper::Auto($stepper) => $call,
-        }
-    };
-}
-
-impl<R: Real> Stepper<R> for AnyStepper<R> {
-    fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
-        each!(self, stepper => Stepper::<R>::fit(stepper, plan))
-    }
-
-    fn accept(&self, plan: &Plan) -> Result<(), StepError> {
-        each!(self, stepper => Stepper::<R>::accept(stepper, plan))
-    }
-
-    fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
-        each!(self, stepper => stepper.advance(view, dt))
-    }
-
-    fn advance_up_to(&mut self, view: &mut View<'_, R>, most: R, report: &mut StepReport) -> R {
-        each!(self, stepper => stepper.advance_up_to(view, most, report))
-    }
-
-    fn chooses_parts(&self) -> bool {
-        each!(self, stepper => Stepper::<R>::chooses_parts(stepper))
-    }
-
-    fn begins(&mut self, view: &View<'_, R>) {
-        each!(self, stepper => stepper.begins(view));
-    }
-
-    fn fails(&mut self, view: &mut View<'_, R>) {
-        each!(self, stepper => stepper.fails(view));
-    }
-
-    fn between<'a>(&'a mut self, view: &'a mut View<'_, R>, dt: R, after: R) -> Option<View<'a, R>> {
-        each!(self, stepper => stepper.between(view, dt, after))
-    }
-
-    fn order(&self) -> u32 {
-        each!(self, stepper => Stepper::<R>::order(stepper))
-    }
-
-    fn curvature(&self) -> R {
-        each!(self, stepper => stepper.curvature())
-    }
-
-    fn fly(&mut self, view: &mut View<'_, R>, from: f64, report: &mut StepReport) -> Option<f64> {
-        each!(self, stepper => stepper.fly(view, from, report))
-    }
-
-    fn look_ahead(&mut self, view: &mut View<'_, R>, time: f64) -> bool {
-        each!(self, stepper => stepper.look_ahead(view, time))
-    }
-
-    fn rearranged(&mut self, view: &View<'_, R>) {
-        each!(self, stepper => stepper.rearranged(view));
     }
 }
 
@@ -169,7 +113,7 @@ impl<R: Real> Response<R> for AnyResponse<R> {
     fn step(
         &mut self,
         view: &mut View<'_, R>,
-        stepper: &mut impl Stepper<R>,
+        stepper: &mut (impl Stepper<R> + ?Sized),
         dt: R,
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {

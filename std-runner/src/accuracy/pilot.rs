@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use hooke::{StabilityBound, Stepper};
+use hooke::StabilityBound;
 
 use super::attempt::MARGIN;
 use super::cost::step_cost;
@@ -85,7 +85,7 @@ impl<'a> Pilots<'a> {
         if !self.model.planes.is_empty() && self.settings.collision != CollisionForm::TimeOfImpact {
             return 1;
         }
-        Stepper::<f64>::order(&AnyStepper::<f64>::named(stepper, self.settings.tolerance))
+        AnyStepper::<f64>::named(stepper, self.settings.tolerance).any().order()
     }
 
     /// One of them, in steps of at most `time_step` seconds.

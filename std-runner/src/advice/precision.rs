@@ -1,7 +1,5 @@
 //! Whether the numbers of `f32` lie close enough together.
 
-use hooke::Stepper;
-
 use super::{Advice, Subject, Topic};
 use crate::model::{Hold, Model};
 use crate::scene::{Precision, Settings};
@@ -92,8 +90,8 @@ pub(super) fn below_rounding(subject: &Subject<'_>) -> Option<Advice> {
         return None;
     }
     let (time_step, bound) = (start.time_step?, start.bound?);
-    let stepper = AnyStepper::<f32>::named(settings.stepper, settings.tolerance);
-    let order = f64::from(Stepper::<f32>::order(&stepper));
+    let mut stepper = AnyStepper::<f32>::named(settings.stepper, settings.tolerance);
+    let order = f64::from(stepper.any().order());
     let factorial: f64 = (1..=order as u32 + 2).map(f64::from).product();
     let anchor = Anchor::of(model);
     let distance =

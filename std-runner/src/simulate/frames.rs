@@ -91,7 +91,7 @@ impl<R: Stepped> Frames<R> {
         for frame in (self.next..).take_while(|frame| schedule.is_before_end(*frame, step)) {
             let time = schedule.frame_time(frame);
             let first = self.flights.len();
-            if let Some(free) = world.view().free_at(stepper, time) {
+            if let Some(free) = world.view().free_at(stepper.any(), time) {
                 self.flights.extend(free.map(|(number, x, v)| (number, (anchor.in_scene(x.into()), v.into()))));
             }
             self.within.push(Within { time, flights: first..self.flights.len() });
@@ -102,7 +102,13 @@ impl<R: Stepped> Frames<R> {
     }
 
     /// Takes the frames within a part of a step that has just been made, from the stepper itself.
-    pub(super) fn within_part(&mut self, view: &mut View<'_, R>, dt: R, stepper: &mut impl Stepper<R>, step: u64) {
+    pub(super) fn within_part(
+        &mut self,
+        view: &mut View<'_, R>,
+        dt: R,
+        stepper: &mut (impl Stepper<R> + ?Sized),
+        step: u64,
+    ) {
         let Some(background) = &mut self.background else { return };
         let began = Instant::now();
         let start = view.time();

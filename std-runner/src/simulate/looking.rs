@@ -31,7 +31,7 @@ impl<R: Stepped> Observer<R> for Looking<'_, R> {
         self.audit(|audit| audit.advanced(view, dt));
     }
 
-    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, stepper: &mut impl Stepper<R>) {
+    fn advanced_by(&mut self, view: &mut View<'_, R>, dt: R, stepper: &mut (impl Stepper<R> + ?Sized)) {
         self.frames.within_part(view, dt, stepper, self.step);
         self.advanced(view, dt);
     }

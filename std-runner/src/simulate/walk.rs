@@ -81,6 +81,7 @@ impl<'a, R: Stepped> Walk<'a, R> {
         within: Option<(&mut Frames<R>, u64)>,
     ) -> Result<StepReport, StepError> {
         let Self { stepper, response, audit, .. } = self;
+        let stepper = stepper.any();
         match (within, audit) {
             (Some((frames, step)), audit) => {
                 view.step_to(stepper, response, length, end, &mut Looking { frames, step, audit: audit.as_mut() })

@@ -80,7 +80,7 @@ pub fn growth(
         if interrupted.load(Ordering::Relaxed) {
             return Ok(None);
         }
-        let Ok(report) = world.view().step(&mut stepper, &mut Reflect, dt) else {
+        let Ok(report) = world.view().step(stepper.any(), &mut Reflect, dt) else {
             return Ok(Some(course.exploded()));
         };
         if course.steps() == 0 {

@@ -192,7 +192,7 @@ fn explodes(
         if interrupted.load(Ordering::Relaxed) {
             break;
         }
-        if world.step(&mut stepper, &mut response, dt).is_err() {
+        if world.step(stepper.any(), &mut response, dt).is_err() {
             return Ok(true);
         }
         if step % 8 == 7 && is_torn(&scene, &world, most) {

@@ -2,9 +2,10 @@
 
 use core::fmt;
 
-use hooke::{Compensated, Lanes, Project, Real, Reflect, Response, StepError, StepReport, TimeOfImpact, Workers};
+use hooke::{
+    Compensated, Lanes, Project, Real, Reflect, Response, StepError, StepReport, Stepper, TimeOfImpact, Workers,
+};
 
-use crate::borrowed::Borrowed;
 use crate::build::Room;
 #[cfg(feature = "changed-bit")]
 use crate::changed_bit;
@@ -58,15 +59,12 @@ impl Row {
             Err(error) => return tell(Reached::Unbuilt(format_args!("{error}"))),
         };
         world.set_lanes(machine.lanes);
-        steppers::with(self.stepper, &mut |stepper| {
-            let mut stepper = Borrowed(stepper);
-            match self.form {
-                Form::Reflect => self.steps(&mut world, &mut stepper, &mut Reflect, machine, tell),
-                Form::Project => self.steps(&mut world, &mut stepper, &mut Project, machine, tell),
-                Form::TimeOfImpact => {
-                    let mut response = TimeOfImpact::<R, Workspace>::new();
-                    self.steps(&mut world, &mut stepper, &mut response, machine, tell);
-                }
+        steppers::with(self.stepper, &mut |stepper| match self.form {
+            Form::Reflect => self.steps(&mut world, stepper, &mut Reflect, machine, tell),
+            Form::Project => self.steps(&mut world, stepper, &mut Project, machine, tell),
+            Form::TimeOfImpact => {
+                let mut response = TimeOfImpact::<R, Workspace>::new();
+                self.steps(&mut world, stepper, &mut response, machine, tell);
             }
         });
     }
@@ -74,7 +72,7 @@ impl Row {
     fn steps<R: Real>(
         self,
         world: &mut Room<R>,
-        stepper: &mut Borrowed<'_, R>,
+        stepper: &mut dyn Stepper<R>,
         response: &mut impl Response<R>,
         machine: Machine<'_>,
         tell: &mut dyn FnMut(Reached<'_>),

@@ -5,7 +5,6 @@
 #![no_std]
 
 mod answer;
-mod borrowed;
 mod build;
 #[cfg(feature = "changed-bit")]
 mod changed_bit;

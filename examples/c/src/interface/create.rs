@@ -5,7 +5,7 @@
 
 use core::ffi::{c_char, c_void};
 
-use hooke::{Coverage, Plan, Real, Response, Stepper};
+use hooke::{Coverage, Plan, Real, Response};
 
 use super::{capacity, chosen, coded};
 use crate::arena::Arena;
@@ -73,7 +73,7 @@ pub extern "C" fn hooke_workspace_size(
 fn workspace<R: Real>(stepper: HookeStepper, collision: HookeCollision, plan: &Plan) -> usize {
     let arena = Arena::counting();
     let fitted = arena.lend(|| {
-        AnyStepper::<R>::named(stepper, 1.0).fit(plan).and_then(|()| AnyResponse::<R>::named(collision).fit(plan))
+        AnyStepper::<R>::named(stepper, 1.0).any().fit(plan).and_then(|()| AnyResponse::<R>::named(collision).fit(plan))
     });
     if fitted.is_ok() { arena.counted() } else { usize::MAX }
 }

@@ -128,7 +128,7 @@ fn follow<R: Real>(case: &Case, runner: Runner, ended: &AtomicBool) -> Observed 
             break;
         }
         let until = step as f64 * dt;
-        match world.view().step_to(&mut stepper, &mut response, R::from_f64(dt), until, &mut ()) {
+        match world.view().step_to(stepper.any(), &mut response, R::from_f64(dt), until, &mut ()) {
             Ok(report) => {
                 hits += u64::from(report.hits);
                 unconverged += u64::from(!report.converged);
