@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::law::Tension;
-use super::tiles::{Accelerations, Outcome, Room, Then};
+use super::tiles::{Accelerations, AnyThen, Outcome, Room, Then};
 use super::window::{self, Window};
 use crate::Real;
 use crate::lanes::Lanes;
@@ -36,14 +36,8 @@ impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
     }
 
     fn alone(mut self) -> Outcome {
-        let plan = &self.system.plan;
-        if window::pays(plan.live() - plan.on_diagonals) {
-            through_window(self)
-        } else if plan.particles as usize <= FEW {
-            with_room::<R, T, F, FEW>(&mut self)
-        } else {
-            with_room::<R, T, F, { TILE as usize }>(&mut self)
-        }
+        let Self { system, states, slots, out, tension, .. } = self;
+        alone(Accelerations { system, states, slots, out, then: &mut self.then, tension, window: None })
     }
 
     fn joined(first: Outcome, second: Outcome) -> Outcome {
@@ -54,18 +48,31 @@ impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
 /// Particles that are so few that clearing the room for a whole tile would take longer than they do.
 const FEW: usize = TILE as usize / 2;
 
+fn alone<R: Real, F: Tension>(mut work: Accelerations<'_, R, &mut dyn AnyThen<R>, F>) -> Outcome {
+    let plan = &work.system.plan;
+    if window::pays(plan.live() - plan.on_diagonals) {
+        through_window(work)
+    } else if plan.particles as usize <= FEW {
+        with_room::<R, F, FEW>(&mut work)
+    } else {
+        with_room::<R, F, { TILE as usize }>(&mut work)
+    }
+}
+
 /// Apart, so that others need not have the room.
 #[inline(never)]
-fn with_room<R: Real, T: Then<R>, F: Tension, const SIZE: usize>(work: &mut Accelerations<'_, R, T, F>) -> Outcome {
+fn with_room<R: Real, F: Tension, const SIZE: usize>(
+    work: &mut Accelerations<'_, R, &mut dyn AnyThen<R>, F>,
+) -> Outcome {
     let mut room = const { Room([[R::ZERO; SIZE]; 3]) };
     work.go_through(room.0.each_mut().map(<[R; SIZE]>::as_mut_slice)).unwrap_or_default()
 }
 
 /// Apart likewise.
 #[inline(never)]
-fn through_window<R: Real, T: Then<R>, F: Tension>(work: Accelerations<'_, R, T, F>) -> Outcome {
+fn through_window<R: Real, F: Tension>(work: Accelerations<'_, R, &mut dyn AnyThen<R>, F>) -> Outcome {
     let mut window = Window::new();
     // What a window writes in vectors of AVX2 is read right after: wider ones would wait until it has left the store buffer.
     let system = &System { lanes: work.system.lanes.at_most(Lanes::Avx2), ..*work.system };
-    with_room::<R, T, F, { TILE as usize }>(&mut Accelerations { system, window: Some(&mut window), ..work })
+    with_room::<R, F, { TILE as usize }>(&mut Accelerations { system, window: Some(&mut window), ..work })
 }

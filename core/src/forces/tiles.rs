@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::acceleration::{Acceleration, Falling, Pulled, Tile, inverse_masses};
+use super::acceleration::{Acceleration, Falling, Known, Pulled, Tile, inverse_masses};
 use super::law::Tension;
 use super::sweep::Sweep;
 use super::window::Window;
@@ -21,6 +21,27 @@ pub trait Then<R>: Sized + Send {
 
     /// For the slots before this one, and for those from it on.
     fn split(self, slot: u32) -> (Self, Self);
+}
+
+/// The same without a type: once a tile it is asked for what follows, so that forces are compiled once for all that may.
+pub trait AnyThen<R> {
+    fn pulled(&mut self, tile: Tile<'_, R, Pulled>) -> bool;
+    fn falling(&mut self, tile: Tile<'_, R, Falling>) -> bool;
+    fn known(&mut self, tile: Tile<'_, R, Known>) -> bool;
+}
+
+impl<R: Real, T: Then<R>> AnyThen<R> for T {
+    fn pulled(&mut self, tile: Tile<'_, R, Pulled>) -> bool {
+        self.then(tile)
+    }
+
+    fn falling(&mut self, tile: Tile<'_, R, Falling>) -> bool {
+        self.then(tile)
+    }
+
+    fn known(&mut self, tile: Tile<'_, R, Known>) -> bool {
+        self.then(tile)
+    }
 }
 
 /// Nothing more: they are what was asked for.
@@ -66,7 +87,7 @@ pub struct Outcome {
     pub finite: bool,
 }
 
-impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
+impl<R: Real, F: Tension> Accelerations<'_, R, &mut dyn AnyThen<R>, F> {
     /// With room for the forces from above on the particles of a tile, or on all if they are fewer, all 0. Nothing if a
     /// column is too short.
     pub fn go_through(&mut self, mut from_above: ColumnsMut<'_, R>) -> Option<Outcome> {
@@ -138,9 +159,9 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
             outcome.finite &= if let Some(hold_up) = system.support {
                 let mut held = sums().write();
                 hold_up(system, tile, states.position.value, states.velocity, lend(&mut held.below));
-                then.then(held)
+                then.known(held)
             } else {
-                then.then(sums())
+                then.pulled(sums())
             };
         }
         for tile in tiles(slots.start.max(attached)..slots.end) {
@@ -148,7 +169,7 @@ impl<R: Real, T: Then<R>, F: Tension> Accelerations<'_, R, T, F> {
             // Of a length with the others: what is in it is not looked at.
             let above = cut(read(&from_above), 0..tile.end - tile.start)?;
             let inverse_mass = inverse_masses(system, &tile, inverse_mass)?;
-            outcome.finite &= then.then(Tile::of(system, tile, none, above, inverse_mass, Falling));
+            outcome.finite &= then.falling(Tile::of(system, tile, none, above, inverse_mass, Falling));
         }
         Some(outcome)
     }

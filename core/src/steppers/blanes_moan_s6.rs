@@ -13,7 +13,7 @@ use crate::world::{Column, Coverage, Plan, StateColumns, Storage, System, View};
 const TERMS: usize = 4;
 
 /// Where nothing kicks.
-const NONE: Factors<'_, TERMS> = Factors { scale: 0.0, coefficients: &[0.0; TERMS] };
+const NONE: Factors<'_> = Factors { scale: 0.0, coefficients: &[] };
 
 /// a: the drifts, each but the first after a kick; the last three mirror the first.
 const DRIFTS: [f64; 7] = {
@@ -122,7 +122,7 @@ fn evaluate<R: Real>(
 }
 
 /// v + τ a + τ²/2 D a + …, and x + h times that.
-fn kicked<R: Real>(h: f64, series: &[f64; TERMS]) -> Terms<'_, R, TERMS> {
+fn kicked<R: Real>(h: f64, series: &[f64; TERMS]) -> Terms<'_, R> {
     let factors = |scale| Factors { scale, coefficients: series };
     Terms { drift: R::from_f64(h), position: factors(h), velocity: Some(factors(1.0)) }
 }

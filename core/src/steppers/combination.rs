@@ -12,16 +12,16 @@ use crate::world::{State, tiles};
 
 /// x + h v + Σ pⱼ Aⱼ and v + Σ qⱼ Aⱼ.
 #[derive(Clone, Copy)]
-pub struct Terms<'a, R, const STAGES: usize> {
+pub struct Terms<'a, R> {
     /// h, s
     pub drift: R,
     /// p, s²
-    pub position: Factors<'a, STAGES>,
+    pub position: Factors<'a>,
     /// q, s; nothing where nobody asks for the velocity.
-    pub velocity: Option<Factors<'a, STAGES>>,
+    pub velocity: Option<Factors<'a>>,
 }
 
-impl<R: Real, const STAGES: usize> Terms<'_, R, STAGES> {
+impl<R: Real> Terms<'_, R> {
     /// p and q of one stage.
     #[inline(always)]
     pub fn of(&self, stage: usize) -> (R, R) {
@@ -29,14 +29,17 @@ impl<R: Real, const STAGES: usize> Terms<'_, R, STAGES> {
     }
 }
 
-/// Coefficients, each times a scale.
+/// The most stages that anybody combines.
+pub const MOST_STAGES: usize = 16;
+
+/// Coefficients, at most [`MOST_STAGES`], each times a scale.
 #[derive(Clone, Copy)]
-pub struct Factors<'a, const STAGES: usize> {
+pub struct Factors<'a> {
     pub scale: f64,
-    pub coefficients: &'a [f64; STAGES],
+    pub coefficients: &'a [f64],
 }
 
-impl<const STAGES: usize> Factors<'_, STAGES> {
+impl Factors<'_> {
     /// That of one stage.
     #[inline(always)]
     fn of<R: Real>(&self, stage: usize) -> R {
@@ -45,8 +48,8 @@ impl<const STAGES: usize> Factors<'_, STAGES> {
 }
 
 /// Writes such a state, once the last of the accelerations is known.
-pub struct Combination<'a, R: Real, const STAGES: usize> {
-    pub terms: Terms<'a, R, STAGES>,
+pub struct Combination<'a, R: Real> {
+    pub terms: Terms<'a, R>,
     /// Whether it is to be finite: only of the step itself, as no sum gets finite again.
     pub is_step: bool,
     /// Whether its velocity is carried on, with what rounding takes from it.
@@ -61,7 +64,7 @@ pub struct Combination<'a, R: Real, const STAGES: usize> {
     pub to: State<'a, R>,
 }
 
-impl<R: Real, const STAGES: usize> Combination<'_, R, STAGES> {
+impl<R: Real> Combination<'_, R> {
     /// Of so many particles, the last acceleration being known as well. Returns whether it is finite, if that is asked.
     pub fn of_known(mut self, particles: u32, last: Columns<'_, R>) -> bool {
         tiles(0..particles).fold(true, |finite, tile| {
@@ -87,7 +90,7 @@ impl<R: Real, const STAGES: usize> Combination<'_, R, STAGES> {
     }
 }
 
-impl<R: Real, const STAGES: usize> Then<R> for Combination<'_, R, STAGES> {
+impl<R: Real> Then<R> for Combination<'_, R> {
     #[inline(always)]
     fn then<A: Acceleration<R>>(&mut self, mut tile: Tile<'_, R, A>) -> bool {
         let slots = tile.slots.clone();

@@ -3,14 +3,14 @@
 
 use core::ops::Range;
 
-use super::combination::Combination;
+use super::combination::{Combination, MOST_STAGES};
 use crate::Real;
 use crate::lanes::{Kernel, Set};
 use crate::vectors::{Columns, window};
 
 /// The sums of the particles of a tile.
-pub struct Sums<'a, 'b, R: Real, const STAGES: usize> {
-    pub combination: &'a mut Combination<'b, R, STAGES>,
+pub struct Sums<'a, 'b, R: Real> {
+    pub combination: &'a mut Combination<'b, R>,
     pub tile: Range<u32>,
     /// The last accelerations, of this tile.
     pub fresh: Columns<'a, R>,
@@ -22,7 +22,7 @@ type Term<'a, R> = (R, R, &'a Columns<'a, R>);
 /// x and v along an axis.
 type Both<R, const SIZE: usize> = ([R; SIZE], [R; SIZE]);
 
-impl<R: Real, const STAGES: usize> Kernel for Sums<'_, '_, R, STAGES> {
+impl<R: Real> Kernel for Sums<'_, '_, R> {
     /// Whether they are finite, if that is asked; nothing if a column is too short.
     type Output = Option<bool>;
 
@@ -36,7 +36,7 @@ impl<R: Real, const STAGES: usize> Kernel for Sums<'_, '_, R, STAGES> {
     }
 }
 
-impl<R: Real, const STAGES: usize> Sums<'_, '_, R, STAGES> {
+impl<R: Real> Sums<'_, '_, R> {
     /// As many particles at once as registers hold.
     #[inline(always)]
     fn in_blocks<const VELOCITY: bool>(self, set: impl Set) -> Option<bool> {
@@ -54,7 +54,7 @@ impl<R: Real, const STAGES: usize> Sums<'_, '_, R, STAGES> {
         let known = *known;
         let mut last = (terms.of(known.len()), self.fresh);
         let none = Columns::default();
-        let mut gathered: [Term<'_, R>; STAGES] = [(R::ZERO, R::ZERO, &none); STAGES];
+        let mut gathered: [Term<'_, R>; MOST_STAGES] = [(R::ZERO, R::ZERO, &none); MOST_STAGES];
         let mut places = gathered.iter_mut();
         for (stage, columns) in known.iter().enumerate() {
             let (p, q) = terms.of(stage);
@@ -63,7 +63,7 @@ impl<R: Real, const STAGES: usize> Sums<'_, '_, R, STAGES> {
             }
         }
         let left = places.len();
-        let mut terms = gathered.get(..STAGES - left)?;
+        let mut terms = gathered.get(..MOST_STAGES - left)?;
         if last.0 == (R::ZERO, R::ZERO)
             && let [others @ .., (p, q, columns)] = terms
         {

@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta methods: one loop over stages for all of them.
+//! Explicit Runge-Kutta methods, each a tableau of coefficients.
 
 mod adaptive;
 mod dense;
@@ -7,6 +7,7 @@ mod dop853;
 mod dormand_prince_rkn8;
 mod embedded;
 mod rk4;
+mod stages;
 mod tableau;
 
 pub use adaptive::Adaptive;
@@ -20,10 +21,10 @@ use core::marker::PhantomData;
 use crate::Real;
 use crate::roles::Stepper;
 use crate::types::{Full, StepError, StepReport};
-use crate::vectors::{Columns, lend, read};
+use crate::vectors::Columns;
 use crate::world::{Column, Coverage, Plan, StateColumns, Storage, View};
 
-use super::combination::{Combination, Factors, Terms};
+use stages::{Rows, Stages};
 use tableau::Tableau;
 
 /// An explicit Runge-Kutta method with the coefficients of `T`.
@@ -54,21 +55,6 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
         }
     }
 
-    /// What makes the state of a stage out of the accelerations of those before it, or the step out of all.
-    fn terms(dt: R, stage: usize, with_velocity: bool) -> Terms<'static, R, STAGES> {
-        let dt = dt.to_f64();
-        let position = |coefficients| Factors { scale: dt * dt, coefficients };
-        let velocity = |coefficients| Factors { scale: dt, coefficients };
-        let (nodes, rows) = const { (&T::NODES, &T::POSITION) };
-        if let (Some(node), Some(row)) = (nodes.get(stage), rows.get(stage)) {
-            let rows = const { &T::VELOCITY }.as_ref().filter(|_| with_velocity);
-            let velocity = rows.and_then(|rows| rows.get(stage)).map(velocity);
-            return Terms { drift: R::from_f64(dt * node), position: position(row), velocity };
-        }
-        let velocity = Some(velocity(const { &T::VELOCITY_WEIGHTS }));
-        Terms { drift: R::from_f64(dt), position: position(const { &T::POSITION_WEIGHTS }), velocity }
-    }
-
     /// Whether the first acceleration is that of the current state already.
     fn is_kept(&mut self, epoch: u64) -> bool {
         let [first, last] = self.epochs;
@@ -84,47 +70,14 @@ impl<R: Real, M: Storage, T: Tableau<STAGES>, const STAGES: usize> RungeKutta<R,
     fn run(&mut self, view: &mut View<'_, R>, dt: R, report: &mut StepReport) {
         let particles = view.system.plan.particles;
         let is_kept = core::mem::replace(&mut self.particles, particles) >= particles && self.is_kept(*view.epoch);
-        let View { system, current, next, .. } = view;
-        let (mut spare, mut next) = (self.stage.lend(), next.lend());
-        let mut accelerations = self.acceleration.each_mut().map(|columns| columns.each_mut().map(Column::items_mut));
-        // What lies on planes is told by velocities too.
-        let with_velocity = system.plan.damped != Coverage::None || system.support.is_some();
-        let state = (current.carried_position(), current.carried_velocity());
-        let mut known = [Columns::<R>::default(); STAGES];
-        for (stage, fresh) in accelerations.iter_mut().enumerate() {
-            // The last stage is in the spare state, so that the step can be written while it is still read.
-            let is_spare = (STAGES - stage) % 2 == 1;
-            let (from, to) = if is_spare { (&spare, &mut next) } else { (&next, &mut spare) };
-            let (at, speed) = match stage {
-                0 => (state.0, state.1.value),
-                _ if with_velocity && T::VELOCITY.is_some() => (from.carried_position(), read(&from.velocity)),
-                _ => (from.carried_position(), state.1.value),
-            };
-            let to = to.lend();
-            // Made where it is wanted: moved, it would have to be read while it is still being written.
-            let combination = || Combination {
-                terms: Self::terms(dt, stage + 1, with_velocity),
-                is_step: stage + 1 == STAGES,
-                carries_velocity: stage + 1 == STAGES,
-                lanes: system.lanes,
-                state: &state,
-                known: known.get(..stage).unwrap_or_default(),
-                first: 0,
-                to,
-            };
-            let is_kept = stage == 0 && is_kept;
-            let finite = if is_kept {
-                combination().of_known(system.plan.particles, read(fresh))
-            } else {
-                system.accelerations_then(at, speed, lend(fresh), report, combination())
-            };
-            if stage + 1 == STAGES {
-                view.is_next_finite = finite;
-            }
-            if let Some(known) = known.get_mut(stage) {
-                *known = read(fresh);
-            }
-        }
+        let stages = Stages {
+            rows: const { Rows::of::<T, STAGES>() },
+            fresh: &mut self.acceleration.each_mut().map(|columns| columns.each_mut().map(Column::items_mut)),
+            known: &mut [Columns::default(); STAGES],
+            spare: self.stage.lend(),
+            is_kept,
+        };
+        stages.advance(view, dt, report);
         // What planes hold up follows from velocities that the last stage does not have.
         let is_last_next = T::FIRST_SAME_AS_LAST && view.system.support.is_none();
         self.epochs = [*view.epoch, if is_last_next { *view.epoch + 1 } else { 0 }];
