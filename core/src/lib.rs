@@ -32,6 +32,7 @@
 mod carried;
 mod collisions;
 mod compensated;
+mod compiled;
 mod contact;
 mod forces;
 mod lanes;

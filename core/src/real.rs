@@ -3,6 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+use crate::compiled::HotLoops;
 use crate::square_root;
 
 mod sealed {
@@ -18,6 +19,7 @@ mod sealed {
 /// There is no fused multiply-add here on purpose: it rounds once where others round twice.
 pub trait Real:
     sealed::Sealed
+    + HotLoops
     + Copy
     + Debug
     + Display

@@ -32,7 +32,7 @@ pub trait Divisible: Sized + Send {
 pub fn share<W: Divisible>(work: W, workers: Option<&dyn Workers>) -> W::Outcome {
     match workers {
         // Who has no flash for a second copy has no threads either.
-        Some(workers) if !cfg!(feature = "small") => among(work, workers, workers.count()),
+        Some(workers) if !cfg!(feature = "compact") => among(work, workers, workers.count()),
         _ => work.alone(),
     }
 }

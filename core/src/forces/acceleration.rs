@@ -4,12 +4,24 @@
 use core::ops::Range;
 
 use crate::Real;
-use crate::lanes::{self, Kernel, Present, Set};
+use crate::lanes::{Kernel, Present, Set};
 use crate::vectors::{Columns, ColumnsMut, lend, part, read, set, triples, triples_mut};
 use crate::world::System;
 
-/// Where a particle's acceleration comes from.
-pub trait Acceleration<R>: Copy {
+/// Where the accelerations of a tile's particles come from: one for the whole tile, so that it is asked once, not for each of
+/// them.
+#[derive(Clone, Copy, Debug)]
+pub enum Origin {
+    /// [`Pulled`]
+    Pulled,
+    /// [`Falling`]
+    Falling,
+    /// [`Known`]
+    Known,
+}
+
+/// How a particle's acceleration is made.
+pub trait Rule<R>: Copy {
     /// Along one axis, in a field g, given 1/m, the force (N) from springs to lower slots and that from springs to
     /// higher ones.
     fn along(self, g: R, inverse_mass: R, below: R, above: R) -> R;
@@ -19,7 +31,7 @@ pub trait Acceleration<R>: Copy {
 #[derive(Clone, Copy)]
 pub struct Pulled;
 
-impl<R: Real> Acceleration<R> for Pulled {
+impl<R: Real> Rule<R> for Pulled {
     #[inline(always)]
     fn along(self, g: R, inverse_mass: R, below: R, above: R) -> R {
         let acceleration = g + inverse_mass * (below + above);
@@ -32,7 +44,7 @@ impl<R: Real> Acceleration<R> for Pulled {
 #[derive(Clone, Copy)]
 pub struct Falling;
 
-impl<R: Real> Acceleration<R> for Falling {
+impl<R: Real> Rule<R> for Falling {
     #[inline(always)]
     fn along(self, g: R, inverse_mass: R, _below: R, _above: R) -> R {
         if inverse_mass == R::ZERO { R::ZERO } else { g }
@@ -43,7 +55,7 @@ impl<R: Real> Acceleration<R> for Falling {
 #[derive(Clone, Copy)]
 pub struct Known;
 
-impl<R: Real> Acceleration<R> for Known {
+impl<R: Real> Rule<R> for Known {
     #[inline(always)]
     fn along(self, _g: R, _inverse_mass: R, below: R, _above: R) -> R {
         below
@@ -51,16 +63,16 @@ impl<R: Real> Acceleration<R> for Known {
 }
 
 /// The particles of a tile, and what their accelerations are to be made of.
-pub struct Tile<'a, R, A> {
+pub struct Tile<'a, R> {
     pub slots: Range<u32>,
     /// N, from springs to lower slots; m/s², where accelerations are known.
     pub below: ColumnsMut<'a, R>,
-    pub rest: Rest<'a, R, A>,
+    pub rest: Rest<'a, R>,
 }
 
 /// What else they are made of.
 #[derive(Clone, Copy)]
-pub struct Rest<'a, R, A> {
+pub struct Rest<'a, R> {
     /// N, from springs to higher slots.
     above: Columns<'a, R>,
     /// 1/kg
@@ -68,20 +80,10 @@ pub struct Rest<'a, R, A> {
     /// m/s²
     gravity: [R; 3],
     pub lanes: Present,
-    acceleration: A,
+    pub origin: Origin,
 }
 
-impl<'a, R: Real> Tile<'a, R, Known> {
-    /// Of particles whose accelerations have been written.
-    pub fn known(system: &System<'a, R>, slots: Range<u32>, accelerations: ColumnsMut<'a, R>) -> Option<Self> {
-        let inverse_mass = part(system.inverse_mass, slots.clone())?;
-        // Of a length with the others: what is in it is not looked at.
-        let above = [inverse_mass; 3];
-        Some(Self::of(system, slots, accelerations, above, inverse_mass, Known))
-    }
-}
-
-impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
+impl<'a, R: Real> Tile<'a, R> {
     /// With the inverse masses of these particles.
     #[inline(always)]
     pub fn of(
@@ -90,26 +92,29 @@ impl<'a, R: Real, A: Acceleration<R>> Tile<'a, R, A> {
         below: ColumnsMut<'a, R>,
         above: Columns<'a, R>,
         inverse_mass: &'a [R],
-        acceleration: A,
+        origin: Origin,
     ) -> Self {
-        let rest = Rest { above, inverse_mass, gravity: system.gravity, lanes: system.lanes, acceleration };
+        let rest = Rest { above, inverse_mass, gravity: system.gravity, lanes: system.lanes, origin };
         Self { slots, below, rest }
+    }
+
+    /// Of particles whose accelerations have been written.
+    pub fn known(system: &System<'a, R>, slots: Range<u32>, accelerations: ColumnsMut<'a, R>) -> Option<Self> {
+        let inverse_mass = part(system.inverse_mass, slots.clone())?;
+        // Of a length with the others: what is in it is not looked at.
+        let above = [inverse_mass; 3];
+        Some(Self::of(system, slots, accelerations, above, inverse_mass, Origin::Known))
     }
 
     /// Writes the accelerations in place of the forces from below, and lends them.
     #[inline(always)]
     pub fn fresh(&mut self) -> Columns<'_, R> {
-        lanes::run(self.rest.lanes, Write { below: lend(&mut self.below), rest: &self.rest });
+        let rest = core::mem::replace(&mut self.rest.origin, Origin::Known);
+        R::write_accelerations(
+            self.rest.lanes,
+            Write { below: lend(&mut self.below), rest: Rest { origin: rest, ..self.rest } },
+        );
         read(&self.below)
-    }
-
-    /// Writes the accelerations in place of the forces from below.
-    #[inline(always)]
-    pub fn write(mut self) -> Tile<'a, R, Known> {
-        self.fresh();
-        let Rest { above, inverse_mass, gravity, lanes, .. } = self.rest;
-        let rest = Rest { above, inverse_mass, gravity, lanes, acceleration: Known };
-        Tile { slots: self.slots, below: self.below, rest }
     }
 }
 
@@ -123,37 +128,45 @@ pub fn inverse_masses<'a, R: Real>(system: &System<'a, R>, slots: &Range<u32>, u
 }
 
 /// Accelerations in place of forces from below.
-struct Write<'a, 'b, R, A> {
+pub struct Write<'a, 'b, R> {
     below: ColumnsMut<'a, R>,
-    rest: &'a Rest<'b, R, A>,
+    rest: Rest<'b, R>,
 }
 
-impl<R: Real, A: Acceleration<R>> Kernel for Write<'_, '_, R, A> {
+impl<R: Real> Kernel for Write<'_, '_, R> {
     type Output = ();
 
     #[inline(always)]
     fn run(self, _set: impl Set) {
-        for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations()) {
+        match self.rest.origin {
+            Origin::Pulled => self.by(Pulled),
+            Origin::Falling => self.by(Falling),
+            Origin::Known => {}
+        }
+    }
+}
+
+impl<R: Real> Write<'_, '_, R> {
+    #[inline(always)]
+    fn by(self, rule: impl Rule<R>) {
+        for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations(rule)) {
             let a = acceleration(below.each_ref().map(|component| **component));
             set(below, a);
         }
     }
 }
 
-impl<'a, R: Real, A: Acceleration<R>> Rest<'a, R, A> {
+impl<'a, R: Real> Rest<'a, R> {
     /// For each particle, what makes its acceleration of the force from below.
     #[inline(always)]
-    pub fn accelerations(self) -> impl Iterator<Item = impl Fn([R; 3]) -> [R; 3]> + 'a
-    where
-        A: 'a,
-    {
-        let Self { above, inverse_mass, gravity: [g_x, g_y, g_z], acceleration, .. } = self;
+    pub fn accelerations<A: Rule<R> + 'a>(self, rule: A) -> impl Iterator<Item = impl Fn([R; 3]) -> [R; 3]> + 'a {
+        let Self { above, inverse_mass, gravity: [g_x, g_y, g_z], .. } = self;
         triples(above).zip(inverse_mass).map(move |([above_x, above_y, above_z], w)| {
             move |[below_x, below_y, below_z]: [R; 3]| {
                 [
-                    acceleration.along(g_x, *w, below_x, above_x),
-                    acceleration.along(g_y, *w, below_y, above_y),
-                    acceleration.along(g_z, *w, below_z, above_z),
+                    rule.along(g_x, *w, below_x, above_x),
+                    rule.along(g_y, *w, below_y, above_y),
+                    rule.along(g_z, *w, below_z, above_z),
                 ]
             }
         })

@@ -49,13 +49,29 @@ fn add_part<R: Real, F: Tension>(springs: &Springs<'_, R>, piece: &Piece, forces
         let laws = laws.map(|[stiffness, damping, rest_length]| (Law { stiffness, damping, rest_length }, true));
         return pull::<R, F>(laws, piece, forces);
     }
-    let Some(presences) = piece.presences else {
-        let laws = NO_GAPS.get(..piece.places as usize)?.iter().map(|_| (law, true));
-        return if damped { pull::<R, F>(laws, piece, forces) } else { pull::<R, F::Undamped>(laws, piece, forces) };
+    let presences = match piece.presences {
+        None if !cfg!(feature = "compact") => {
+            let laws = NO_GAPS.get(..piece.places as usize)?.iter().map(|_| (law, true));
+            return pull_damped_or_not::<R, F>(damped, laws, piece, forces);
+        }
+        None => NO_GAPS.get(..piece.places as usize)?,
+        Some(first) => part(springs.presences, first..first + piece.places)?,
     };
-    let presences = part(springs.presences, presences..presences + piece.places)?;
-    let laws = presences.iter().map(|presence| (law, *presence != 0));
-    if damped { pull::<R, F>(laws, piece, forces) } else { pull::<R, F::Undamped>(laws, piece, forces) }
+    pull_damped_or_not::<R, F>(damped, presences.iter().map(|presence| (law, *presence != 0)), piece, forces)
+}
+
+#[inline(always)]
+fn pull_damped_or_not<R: Real, F: Tension>(
+    damped: bool,
+    laws: impl Iterator<Item = (Law<R>, bool)> + Clone,
+    piece: &Piece,
+    forces: &mut Forces<'_, R>,
+) -> Option<u32> {
+    if damped || cfg!(feature = "compact") {
+        pull::<R, F>(laws, piece, forces)
+    } else {
+        pull::<R, F::Undamped>(laws, piece, forces)
+    }
 }
 
 /// Adds the forces of springs with these laws at the places where there are some.

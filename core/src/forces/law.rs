@@ -1,6 +1,8 @@
 //! The law of a spring.
 
+use super::tiles::SpringsOf;
 use crate::Real;
+use crate::lanes::Present;
 use crate::vectors::dot;
 use crate::world::Law;
 
@@ -19,6 +21,12 @@ pub trait Tension: Copy + Send {
     /// The force on particle i is then q d, and that on j its opposite. A spring of length 0 has no direction: its q is 0.
     /// (The name is Schek's, *The force density method*, 1974.)
     fn force_density<R: Real>(law: Law<R>, d: [R; 3], v: [R; 3]) -> (R, bool);
+}
+
+/// What can be asked of all springs.
+pub trait Pull: Tension {
+    /// Adds the forces of the springs that begin in a tile. Returns how many of them have length 0.
+    fn pull<R: Real>(lanes: Present, springs: SpringsOf<'_, '_, '_, R, Self>) -> Option<u32>;
 }
 
 /// q = k (l − l_rest)/l
@@ -57,6 +65,12 @@ impl Tension for Damped {
     }
 }
 
+impl Pull for Damped {
+    fn pull<R: Real>(lanes: Present, springs: SpringsOf<'_, '_, '_, R, Self>) -> Option<u32> {
+        R::pull(lanes, springs)
+    }
+}
+
 /// q = k_d l̇/l, without a root: what damping makes of any vectors v, be they velocities or not.
 #[derive(Clone, Copy)]
 pub struct Damping;
@@ -70,6 +84,12 @@ impl Tension for Damping {
     fn force_density<R: Real>(law: Law<R>, d: [R; 3], v: [R; 3]) -> (R, bool) {
         let squared = dot(d, d);
         directed(squared, law.damping * dot(v, d) / squared)
+    }
+}
+
+impl Pull for Damping {
+    fn pull<R: Real>(lanes: Present, springs: SpringsOf<'_, '_, '_, R, Self>) -> Option<u32> {
+        R::damp(lanes, springs)
     }
 }
 

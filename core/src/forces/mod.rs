@@ -20,11 +20,12 @@ use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut, fetch, read};
 use crate::world::{System, View};
 
-pub(crate) use acceleration::{Acceleration, Rest, Tile};
+pub(crate) use acceleration::{Falling, Known, Origin, Pulled, Rest, Rule, Tile, Write};
+pub(crate) use law::{Damped, Damping};
 pub(crate) use net::pull;
-pub(crate) use tiles::{Keep, Then};
+pub(crate) use tiles::{Follow, Keep, SpringsOf, Then};
 
-use law::{Damped, Damping, Tension};
+use law::Pull;
 use tiles::{Accelerations, Outcome, States};
 
 impl<R: Real> System<'_, R> {
@@ -46,7 +47,7 @@ impl<R: Real> System<'_, R> {
         velocity: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
         report: &mut StepReport,
-        then: impl Then<R>,
+        then: impl Follow<R>,
     ) -> bool {
         if self.plan.live() > 0 {
             report.force_evaluations += 1;
@@ -64,7 +65,7 @@ impl<R: Real> System<'_, R> {
         position: Carried<'_, R>,
         vectors: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
-        then: impl Then<R>,
+        then: impl Follow<R>,
     ) -> bool {
         let system = Self { gravity: [R::ZERO; 3], ..*self };
         system.go_through(position, vectors, out, then, Damping).finite
@@ -75,8 +76,8 @@ impl<R: Real> System<'_, R> {
         position: Carried<'_, R>,
         velocity: Columns<'_, R>,
         out: ColumnsMut<'_, R>,
-        then: impl Then<R>,
-        tension: impl Tension,
+        then: impl Follow<R>,
+        tension: impl Pull,
     ) -> Outcome {
         let slots = 0..self.plan.particles;
         let states = &States { position, velocity };

@@ -3,9 +3,9 @@
 //!
 //! Every sum is taken in the order of `world/order.rs`, so that the bits are those of `tiles.rs`.
 
-use super::acceleration::{Acceleration, Falling, Pulled, Tile};
+use super::acceleration::{Falling, Pulled, Rule, Tile};
 use super::law::Tension;
-use super::tiles::{Accelerations, AnyThen, Outcome};
+use super::tiles::{Accelerations, Outcome, Then};
 use crate::Real;
 use crate::vectors::{ColumnsMut, along, cut, cut_mut, difference, fetch, lend, part, read, store, window_mut};
 use crate::world::{Coverage, TILE};
@@ -13,7 +13,7 @@ use crate::world::{Coverage, TILE};
 /// Accelerations, and what follows, with room for the forces from above on the particles of a tile. Nothing if a column is
 /// too short.
 pub fn go_through<R: Real, F: Tension>(
-    work: &mut Accelerations<'_, R, &mut dyn AnyThen<R>, F>,
+    work: &mut Accelerations<'_, R, &mut dyn Then<R>, F>,
     mut above: ColumnsMut<'_, R>,
 ) -> Option<Outcome> {
     let Accelerations { system, states, slots, out, then, .. } = work;
@@ -53,7 +53,7 @@ pub fn go_through<R: Real, F: Tension>(
         if let Some(hold_up) = system.support.filter(|_| is_pulled) {
             hold_up(system, start..end, position.value, velocity, lend(&mut accelerations));
         }
-        outcome.finite &= then.known(Tile::known(system, start..end, accelerations)?);
+        outcome.finite &= then.then(Tile::known(system, start..end, accelerations)?);
         start = end;
     }
     Some(outcome)

@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
-use super::law::Tension;
-use super::tiles::{Accelerations, AnyThen, Outcome, Room, Then};
+use super::law::Pull;
+use super::tiles::{Accelerations, Follow, Outcome, Room, Then};
 use super::window::{self, Window};
 use crate::Real;
 use crate::lanes::Lanes;
@@ -13,7 +13,7 @@ use crate::world::{System, TILE};
 
 /// Each half writes to its own particles alone, and goes through the springs that pull at them in the same order as
 /// the whole would: the bits are the same. What both need of a spring across the cut is worked out twice.
-impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
+impl<R: Real, T: Follow<R>, F: Pull> Divisible for Accelerations<'_, R, T, F> {
     type Outcome = Outcome;
 
     fn slots(&self) -> Range<u32> {
@@ -48,7 +48,7 @@ impl<R: Real, T: Then<R>, F: Tension> Divisible for Accelerations<'_, R, T, F> {
 /// Particles that are so few that clearing the room for a whole tile would take longer than they do.
 const FEW: usize = TILE as usize / 2;
 
-fn alone<R: Real, F: Tension>(mut work: Accelerations<'_, R, &mut dyn AnyThen<R>, F>) -> Outcome {
+fn alone<R: Real, F: Pull>(mut work: Accelerations<'_, R, &mut dyn Then<R>, F>) -> Outcome {
     let plan = &work.system.plan;
     if window::pays(plan.live() - plan.on_diagonals) {
         through_window(work)
@@ -61,16 +61,14 @@ fn alone<R: Real, F: Tension>(mut work: Accelerations<'_, R, &mut dyn AnyThen<R>
 
 /// Apart, so that others need not have the room.
 #[inline(never)]
-fn with_room<R: Real, F: Tension, const SIZE: usize>(
-    work: &mut Accelerations<'_, R, &mut dyn AnyThen<R>, F>,
-) -> Outcome {
+fn with_room<R: Real, F: Pull, const SIZE: usize>(work: &mut Accelerations<'_, R, &mut dyn Then<R>, F>) -> Outcome {
     let mut room = const { Room([[R::ZERO; SIZE]; 3]) };
     work.go_through(room.0.each_mut().map(<[R; SIZE]>::as_mut_slice)).unwrap_or_default()
 }
 
 /// Apart likewise.
 #[inline(never)]
-fn through_window<R: Real, F: Tension>(work: Accelerations<'_, R, &mut dyn AnyThen<R>, F>) -> Outcome {
+fn through_window<R: Real, F: Pull>(work: Accelerations<'_, R, &mut dyn Then<R>, F>) -> Outcome {
     let mut window = Window::new();
     // What a window writes in vectors of AVX2 is read right after: wider ones would wait until it has left the store buffer.
     let system = &System { lanes: work.system.lanes.at_most(Lanes::Avx2), ..*work.system };

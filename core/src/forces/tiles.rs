@@ -3,57 +3,40 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::acceleration::{Acceleration, Falling, Known, Pulled, Tile, inverse_masses};
-use super::law::Tension;
+use super::acceleration::{Origin, Tile, inverse_masses};
+use super::law::{Pull, Tension};
 use super::sweep::Sweep;
 use super::window::Window;
 use super::{diagonal, plain, scattered};
 use crate::Real;
 use crate::carried::Carried;
-use crate::lanes::{self, Kernel, Present, Set};
+use crate::lanes::{Kernel, Present, Set};
 use crate::vectors::{Columns, ColumnsMut, at, cut, cut_mut, lend, read, window_mut};
 use crate::world::{Coverage, System, TILE, tiles};
 
 /// What becomes of a tile's accelerations once they are known.
-pub trait Then<R>: Sized + Send {
+pub trait Then<R>: Send {
     /// Of the particles of a tile. Returns whether everything made of them is finite.
-    fn then<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> bool;
+    fn then(&mut self, tile: Tile<'_, R>) -> bool;
+}
 
+/// The same of all tiles, which can be parted.
+pub trait Follow<R>: Then<R> + Sized {
     /// For the slots before this one, and for those from it on.
     fn split(self, slot: u32) -> (Self, Self);
-}
-
-/// The same without a type: once a tile it is asked for what follows, so that forces are compiled once for all that may.
-pub trait AnyThen<R> {
-    fn pulled(&mut self, tile: Tile<'_, R, Pulled>) -> bool;
-    fn falling(&mut self, tile: Tile<'_, R, Falling>) -> bool;
-    fn known(&mut self, tile: Tile<'_, R, Known>) -> bool;
-}
-
-impl<R: Real, T: Then<R>> AnyThen<R> for T {
-    fn pulled(&mut self, tile: Tile<'_, R, Pulled>) -> bool {
-        self.then(tile)
-    }
-
-    fn falling(&mut self, tile: Tile<'_, R, Falling>) -> bool {
-        self.then(tile)
-    }
-
-    fn known(&mut self, tile: Tile<'_, R, Known>) -> bool {
-        self.then(tile)
-    }
 }
 
 /// Nothing more: they are what was asked for.
 pub struct Keep;
 
 impl<R: Real> Then<R> for Keep {
-    #[inline(always)]
-    fn then<A: Acceleration<R>>(&mut self, mut tile: Tile<'_, R, A>) -> bool {
+    fn then(&mut self, mut tile: Tile<'_, R>) -> bool {
         tile.fresh();
         true
     }
+}
 
+impl<R: Real> Follow<R> for Keep {
     fn split(self, _slot: u32) -> (Self, Self) {
         (Self, Self)
     }
@@ -87,11 +70,11 @@ pub struct Outcome {
     pub finite: bool,
 }
 
-impl<R: Real, F: Tension> Accelerations<'_, R, &mut dyn AnyThen<R>, F> {
+impl<R: Real, F: Pull> Accelerations<'_, R, &mut dyn Then<R>, F> {
     /// With room for the forces from above on the particles of a tile, or on all if they are fewer, all 0. Nothing if a
     /// column is too short.
     pub fn go_through(&mut self, mut from_above: ColumnsMut<'_, R>) -> Option<Outcome> {
-        if cfg!(feature = "small") {
+        if cfg!(feature = "small") || cfg!(feature = "compact") && !F::PULLS_UNDAMPED {
             return plain::go_through(self, from_above);
         }
         // Lent, as it is too large to be moved about.
@@ -135,7 +118,7 @@ impl<R: Real, F: Tension> Accelerations<'_, R, &mut dyn AnyThen<R>, F> {
                 nowhere: nowhere.as_deref_mut(),
             };
             let window = window.as_deref_mut().filter(|_| is_ours);
-            let pull = Pull {
+            let springs = SpringsOf {
                 system,
                 sweep: &mut sweep,
                 tile: tile.clone(),
@@ -143,7 +126,7 @@ impl<R: Real, F: Tension> Accelerations<'_, R, &mut dyn AnyThen<R>, F> {
                 forces: &mut forces,
                 tension: PhantomData::<F>,
             };
-            let degenerate = lanes::run(system.lanes, pull)?;
+            let degenerate = F::pull(system.lanes, springs)?;
             is_cleared = false;
             if !is_ours {
                 // It lies before these slots: its springs were gone through for what they pull at in them.
@@ -155,13 +138,14 @@ impl<R: Real, F: Tension> Accelerations<'_, R, &mut dyn AnyThen<R>, F> {
             let inverse_mass = inverse_masses(system, &tile, inverse_mass)?;
             // Made where it is wanted: moved, it would have to be read while it is still being written.
             let slots = tile.clone();
-            let sums = || Tile::of(system, slots, below, above, inverse_mass, Pulled);
+            let sums = || Tile::of(system, slots, below, above, inverse_mass, Origin::Pulled);
             outcome.finite &= if let Some(hold_up) = system.support {
-                let mut held = sums().write();
+                let mut held = sums();
+                held.fresh();
                 hold_up(system, tile, states.position.value, states.velocity, lend(&mut held.below));
-                then.known(held)
+                then.then(held)
             } else {
-                then.pulled(sums())
+                then.then(sums())
             };
         }
         for tile in tiles(slots.start.max(attached)..slots.end) {
@@ -169,7 +153,7 @@ impl<R: Real, F: Tension> Accelerations<'_, R, &mut dyn AnyThen<R>, F> {
             // Of a length with the others: what is in it is not looked at.
             let above = cut(read(&from_above), 0..tile.end - tile.start)?;
             let inverse_mass = inverse_masses(system, &tile, inverse_mass)?;
-            outcome.finite &= then.falling(Tile::of(system, tile, none, above, inverse_mass, Falling));
+            outcome.finite &= then.then(Tile::of(system, tile, none, above, inverse_mass, Origin::Falling));
         }
         Some(outcome)
     }
@@ -184,7 +168,7 @@ fn within(slots: &Range<u32>, part: &Range<u32>) -> Range<u32> {
 /// Adds the forces of the springs that begin in a tile. Returns how many of them have length 0.
 ///
 /// It is compiled for each set of instructions by itself, and not again for all that may follow.
-struct Pull<'a, 'b, 'c, R: Real, F> {
+pub struct SpringsOf<'a, 'b, 'c, R: Real, F> {
     system: &'a System<'b, R>,
     sweep: &'a mut Sweep<'b>,
     tile: Range<u32>,
@@ -193,7 +177,7 @@ struct Pull<'a, 'b, 'c, R: Real, F> {
     tension: PhantomData<F>,
 }
 
-impl<R: Real, F: Tension> Kernel for Pull<'_, '_, '_, R, F> {
+impl<R: Real, F: Tension> Kernel for SpringsOf<'_, '_, '_, R, F> {
     type Output = Option<u32>;
 
     #[inline(always)]
@@ -272,7 +256,7 @@ fn add_tile<R: Real, F: Tension>(
     loop {
         let (scattered, piece) = sweep.next(end);
         if !scattered.is_empty() {
-            degenerate += if system.plan.damped == Coverage::None {
+            degenerate += if system.plan.damped == Coverage::None && !cfg!(feature = "compact") {
                 scattered::add::<R, F::Undamped>(springs, scattered, forces)
             } else {
                 scattered::add::<R, F>(springs, scattered, forces)

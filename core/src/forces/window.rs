@@ -24,7 +24,7 @@ const LEAST: u32 = 1500;
 /// Whether a step over so many springs off the diagonals is worth a window.
 pub fn pays(scattered: u32) -> bool {
     // A window takes 48 kB of the stack in `f32`, which is not to be had without an operating system.
-    cfg!(feature = "std") && !cfg!(feature = "small") && scattered >= LEAST
+    cfg!(feature = "std") && !cfg!(feature = "compact") && scattered >= LEAST
 }
 
 /// What is kept, by slot modulo its size. Aligned, so that no vector lies across two lines of the cache.

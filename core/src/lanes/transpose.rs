@@ -17,7 +17,7 @@ pub trait Set: Copy {
     /// Bytes of each of six columns that fit its registers at once, beside what is added to them; where there are no
     /// vectors, one item at a time does: long stretches of unrolled code would only take flash.
     const BYTES_OF_SIX: usize =
-        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")) { 32 } else { 0 };
+        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128")) { 32 } else { 0 };
 
     /// Turns rows into columns.
     #[inline(always)]

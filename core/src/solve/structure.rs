@@ -48,7 +48,7 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
         for row in column.iter_mut() {
             *row = at(turn_of, *row);
         }
-        if cfg!(feature = "small") {
+        if cfg!(feature = "compact") {
             sort(column, *end - start, |rows, first, second| at(rows, first) < at(rows, second), exchange);
         } else {
             column.sort_unstable();

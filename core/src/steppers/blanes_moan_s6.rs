@@ -3,7 +3,7 @@
 use super::combination::{Combination, Factors, Terms};
 use crate::Real;
 use crate::carried::Carried;
-use crate::forces::{Keep, Then};
+use crate::forces::{Follow, Keep};
 use crate::roles::Stepper;
 use crate::types::{Full, StepReport};
 use crate::vectors::{Columns, ColumnsMut, lend, read};
@@ -112,7 +112,7 @@ fn evaluate<R: Real>(
     out: ColumnsMut<'_, R>,
     term: usize,
     report: &mut StepReport,
-    then: impl Then<R>,
+    then: impl Follow<R>,
 ) -> bool {
     if term == 0 {
         system.accelerations_then(position, vectors, out, report, then)

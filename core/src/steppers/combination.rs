@@ -5,8 +5,8 @@ use core::ops::Range;
 use super::stage_sums::Sums;
 use crate::Real;
 use crate::carried::Carried;
-use crate::forces::{Acceleration, Then, Tile};
-use crate::lanes::{self, Present};
+use crate::forces::{Follow, Then, Tile};
+use crate::lanes::Present;
 use crate::vectors::{Columns, triples, window};
 use crate::world::{State, tiles};
 
@@ -76,7 +76,7 @@ impl<R: Real> Combination<'_, R> {
     /// Nothing if a column is too short.
     fn combine(&mut self, tile: Range<u32>, fresh: Columns<'_, R>) -> Option<bool> {
         let lanes = self.lanes;
-        let mut finite = lanes::run(lanes, Sums { combination: self, tile: tile.clone(), fresh })?;
+        let mut finite = R::sum(lanes, Sums { combination: self, tile: tile.clone(), fresh })?;
         if R::IS_COMPENSATED {
             let (x, v) = (self.state.0.cut(tile.clone())?, self.state.1.cut(tile.clone())?);
             let to = tile.start - self.first..tile.end - self.first;
@@ -91,12 +91,13 @@ impl<R: Real> Combination<'_, R> {
 }
 
 impl<R: Real> Then<R> for Combination<'_, R> {
-    #[inline(always)]
-    fn then<A: Acceleration<R>>(&mut self, mut tile: Tile<'_, R, A>) -> bool {
+    fn then(&mut self, mut tile: Tile<'_, R>) -> bool {
         let slots = tile.slots.clone();
         self.combine(slots, tile.fresh()).unwrap_or(false)
     }
+}
 
+impl<R: Real> Follow<R> for Combination<'_, R> {
     fn split(self, slot: u32) -> (Self, Self) {
         let [position, velocity] = self.to.apart().map(|columns| columns.split(slot - self.first));
         (

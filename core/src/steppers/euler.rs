@@ -2,7 +2,7 @@
 
 use crate::Real;
 use crate::carried::{Carried, CarriedMut};
-use crate::forces::{Acceleration, Rest, Then, Tile};
+use crate::forces::{Falling, Follow, Known, Origin, Pulled, Rest, Rule, Then, Tile};
 use crate::lanes::{self, SixColumns};
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut, cut, cut_mut, lend, read, scaled, split, triples, triples_mut};
@@ -33,13 +33,21 @@ struct Update<'a, R: Real, const EXPLICIT: bool> {
 
 impl<R: Real, const EXPLICIT: bool> Update<'_, R, EXPLICIT> {
     /// The same sums with their rounding kept.
-    fn carry<A: Acceleration<R>>(&mut self, tile: Tile<'_, R, A>) -> Option<bool> {
+    fn carry(&mut self, tile: Tile<'_, R>) -> Option<bool> {
+        match tile.rest.origin {
+            Origin::Pulled => self.carry_by(tile, Pulled),
+            Origin::Falling => self.carry_by(tile, Falling),
+            Origin::Known => self.carry_by(tile, Known),
+        }
+    }
+
+    fn carry_by(&mut self, tile: Tile<'_, R>, rule: impl Rule<R>) -> Option<bool> {
         let (dt, next) = (self.dt, tile.slots.start - self.first..tile.slots.end - self.first);
         let (x, v) = (self.x.cut(tile.slots.clone())?, self.v.cut(tile.slots.clone())?);
         let (lanes, rest) = (tile.rest.lanes, tile.rest);
         let residual = cut_mut(lend(&mut self.velocity_residual), next.clone())?;
         let mut velocity = CarriedMut { value: tile.below, residual };
-        let impulses = rest.accelerations().map(|acceleration| move |below| scaled(dt, acceleration(below)));
+        let impulses = rest.accelerations(rule).map(|acceleration| move |below| scaled(dt, acceleration(below)));
         let is_velocity_finite = velocity.lend().add(lanes, v, impulses);
         let moving = if EXPLICIT { v.value } else { read(&velocity.value) };
         let drifts = triples(moving).map(|v| move |_| scaled(dt, v));
@@ -49,8 +57,7 @@ impl<R: Real, const EXPLICIT: bool> Update<'_, R, EXPLICIT> {
 }
 
 impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
-    #[inline(always)]
-    fn then<A: Acceleration<R>>(&mut self, mut tile: Tile<'_, R, A>) -> bool {
+    fn then(&mut self, mut tile: Tile<'_, R>) -> bool {
         if R::IS_COMPENSATED {
             return self.carry(tile).unwrap_or(false);
         }
@@ -62,18 +69,20 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
         ) else {
             return false;
         };
-        if cfg!(feature = "small") {
+        let dt = self.dt;
+        if cfg!(feature = "compact") {
             tile.fresh();
             let ([x, y, z], [u, v, w], [x_a, y_a, z_a]) = (x, v, tile.below);
-            let finite = update::<R, EXPLICIT>(self.dt, x, u, x_a, x_next);
-            let finite = update::<R, EXPLICIT>(self.dt, y, v, y_a, y_next) & finite;
-            return update::<R, EXPLICIT>(self.dt, z, w, z_a, z_next) & finite;
+            let finite = R::update(Along { explicit: EXPLICIT, dt, x, v: u, a: x_a, next: x_next });
+            let finite = R::update(Along { explicit: EXPLICIT, dt, x: y, v, a: y_a, next: y_next }) & finite;
+            return R::update(Along { explicit: EXPLICIT, dt, x: z, v: w, a: z_a, next: z_next }) & finite;
         }
-        let [x_below, y_below, z_below] = tile.below;
-        let particles = Particles::<R, A, EXPLICIT> { dt: self.dt, x, v, rest: tile.rest };
-        lanes::run_on_six(tile.rest.lanes, particles, x_below, y_below, z_below, x_next, y_next, z_next)
+        let particles = Particles { explicit: EXPLICIT, dt, x, v, rest: tile.rest };
+        R::update_all(particles, tile.below, [x_next, y_next, z_next])
     }
+}
 
+impl<R: Real, const EXPLICIT: bool> Follow<R> for Update<'_, R, EXPLICIT> {
     fn split(self, slot: u32) -> (Self, Self) {
         let (lower, upper) = self.next_position.split(slot - self.first);
         let (lower_residual, upper_residual) = split(self.velocity_residual, slot - self.first);
@@ -84,46 +93,73 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
     }
 }
 
-/// Along one axis, from accelerations to the next velocities, in their place, and positions. Returns whether they are finite.
-#[inline(never)]
-fn update<R: Real, const EXPLICIT: bool>(dt: R, x: &[R], v: &[R], accelerations: &mut [R], next: &mut [R]) -> bool {
-    let mut finite = true;
-    for ((acceleration, next), (x, v)) in accelerations.iter_mut().zip(next).zip(x.iter().zip(v)) {
-        let velocity = *v + dt * *acceleration;
-        *next = *x + dt * if EXPLICIT { *v } else { velocity };
-        *acceleration = velocity;
-        finite &= next.is_finite() && (!EXPLICIT || velocity.is_finite());
+/// One axis of a tile's particles, for programs that have less flash than time.
+pub struct Along<'a, R> {
+    explicit: bool,
+    dt: R,
+    x: &'a [R],
+    v: &'a [R],
+    /// Accelerations, and then the next velocities in their place.
+    a: &'a mut [R],
+    /// The next positions.
+    next: &'a mut [R],
+}
+
+impl<R: Real> Along<'_, R> {
+    /// Returns whether what is written is finite.
+    #[inline(always)]
+    pub fn update(self) -> bool {
+        if self.explicit { self.by::<true>() } else { self.by::<false>() }
     }
-    finite
+
+    #[inline(always)]
+    fn by<const EXPLICIT: bool>(self) -> bool {
+        let Self { dt, x, v, a, next, .. } = self;
+        let mut infinite = 0;
+        for ((a, next), (x, v)) in a.iter_mut().zip(next).zip(x.iter().zip(v)) {
+            let velocity = *v + dt * *a;
+            *next = *x + dt * if EXPLICIT { *v } else { velocity };
+            *a = velocity;
+            infinite |= u32::from(!next.is_finite()) | u32::from(EXPLICIT && !velocity.is_finite());
+        }
+        infinite == 0
+    }
 }
 
 /// What a tile's particles are to be updated from, but for the forces from below.
-struct Particles<'a, R, A, const EXPLICIT: bool> {
+pub struct Particles<'a, R> {
+    explicit: bool,
     dt: R,
     x: Columns<'a, R>,
     v: Columns<'a, R>,
-    rest: Rest<'a, R, A>,
+    rest: Rest<'a, R>,
 }
 
-impl<R: Real, A: Acceleration<R>, const EXPLICIT: bool> SixColumns<R> for Particles<'_, R, A, EXPLICIT> {
-    type Output = bool;
-
+impl<R: Real> Particles<'_, R> {
     /// Writes the next velocities in place of the forces from below, and the next positions. Returns whether they are
     /// finite.
     #[inline(always)]
-    fn run(
+    pub fn update(self, [x, y, z]: ColumnsMut<'_, R>, [x_next, y_next, z_next]: ColumnsMut<'_, R>) -> bool {
+        lanes::run_on_six(self.rest.lanes, self, x, y, z, x_next, y_next, z_next)
+    }
+
+    #[inline(always)]
+    fn by<A: Rule<R>>(self, rule: A, below: ColumnsMut<'_, R>, next: ColumnsMut<'_, R>) -> bool {
+        if self.explicit { self.each::<A, true>(rule, below, next) } else { self.each::<A, false>(rule, below, next) }
+    }
+
+    #[inline(always)]
+    fn each<A: Rule<R>, const EXPLICIT: bool>(
         self,
-        x_below: &mut [R],
-        y_below: &mut [R],
-        z_below: &mut [R],
-        x_next: &mut [R],
-        y_next: &mut [R],
-        z_next: &mut [R],
+        rule: A,
+        below: ColumnsMut<'_, R>,
+        next: ColumnsMut<'_, R>,
     ) -> bool {
-        let Self { dt, x, v, rest } = self;
-        let written = triples_mut([x_below, y_below, z_below]).zip(triples_mut([x_next, y_next, z_next]));
+        let Self { dt, x, v, rest, .. } = self;
+        let written = triples_mut(below).zip(triples_mut(next));
         let mut infinite = 0;
-        for (((below, next), acceleration), (x, v)) in written.zip(rest.accelerations()).zip(triples(x).zip(triples(v)))
+        for (((below, next), acceleration), (x, v)) in
+            written.zip(rest.accelerations(rule)).zip(triples(x).zip(triples(v)))
         {
             let a = acceleration(below.each_ref().map(|component| **component));
             let components = a.into_iter().zip(x.into_iter().zip(v));
@@ -137,5 +173,27 @@ impl<R: Real, A: Acceleration<R>, const EXPLICIT: bool> SixColumns<R> for Partic
             }
         }
         infinite == 0
+    }
+}
+
+impl<R: Real> SixColumns<R> for Particles<'_, R> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(
+        self,
+        x_below: &mut [R],
+        y_below: &mut [R],
+        z_below: &mut [R],
+        x_next: &mut [R],
+        y_next: &mut [R],
+        z_next: &mut [R],
+    ) -> bool {
+        let (below, next) = ([x_below, y_below, z_below], [x_next, y_next, z_next]);
+        match self.rest.origin {
+            Origin::Pulled => self.by(Pulled, below, next),
+            Origin::Falling => self.by(Falling, below, next),
+            Origin::Known => self.by(Known, below, next),
+        }
     }
 }

@@ -27,3 +27,7 @@ pub use runge_kutta::{
 pub use semi_implicit_euler::SemiImplicitEuler;
 pub use tr_bdf2::TrBdf2;
 pub use velocity_verlet::VelocityVerlet;
+
+pub(crate) use euler::{Along, Particles};
+pub(crate) use stage_sums::Sums;
+pub(crate) use verlet_stages::{Drift, Kick};

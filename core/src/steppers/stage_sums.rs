@@ -28,7 +28,8 @@ impl<R: Real> Kernel for Sums<'_, '_, R> {
 
     #[inline(always)]
     fn run(self, set: impl Set) -> Option<bool> {
-        if self.combination.terms.velocity.is_some() {
+        // A velocity that nobody asks for is written all the same where there is one copy of the loop.
+        if self.combination.terms.velocity.is_some() || cfg!(feature = "compact") {
             self.in_blocks::<true>(set)
         } else {
             self.in_blocks::<false>(set)

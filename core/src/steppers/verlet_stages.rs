@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::carried::{Carried, CarriedMut};
-use crate::lanes::{self, Kernel, Present, Set};
+use crate::lanes::{Kernel, Present, Set};
 use crate::shared::Divisible;
 use crate::vectors::{Columns, ColumnsMut, along, cut, scaled, set, split, triples, triples_mut};
 
@@ -77,7 +77,7 @@ impl<R: Real> Divisible for Drift<'_, R> {
     }
 
     fn alone(self) -> bool {
-        let done = if R::IS_COMPENSATED { self.carry() } else { lanes::run(self.lanes, self) };
+        let done = if R::IS_COMPENSATED { self.carry() } else { R::drift(self.lanes, self) };
         done.unwrap_or_default()
     }
 
@@ -150,7 +150,7 @@ impl<R: Real> Divisible for Kick<'_, R> {
     }
 
     fn alone(self) -> bool {
-        let done = if R::IS_COMPENSATED { self.carry() } else { lanes::run(self.lanes, self) };
+        let done = if R::IS_COMPENSATED { self.carry() } else { R::kick(self.lanes, self) };
         done.unwrap_or_default()
     }
 

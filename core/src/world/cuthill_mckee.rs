@@ -76,7 +76,7 @@ impl Graph<'_> {
             let list = self.list(slot);
             let list = self.incidences.get_mut(list.start as usize..list.end as usize).unwrap_or_default();
             let key = |Incidence { neighbour, .. }: &Incidence| (degree(self.list_end, *neighbour), *neighbour);
-            if cfg!(feature = "small") {
+            if cfg!(feature = "compact") {
                 let precedes = |list: &[Incidence], first, second| key(&at(list, first)) < key(&at(list, second));
                 sort::sort(list, list.len() as u32, precedes, exchange);
             } else {

@@ -98,7 +98,7 @@ impl<R: Real, M: Storage> StateColumns<R, M> {
         }
     }
 
-    #[cfg_attr(feature = "small", inline(never))]
+    #[cfg_attr(feature = "compact", inline(never))]
     pub fn lend(&mut self) -> State<'_, R> {
         State {
             position: items_mut(&mut self.position),
@@ -123,7 +123,7 @@ impl<R: Real, M: Storage> StateColumns<R, M> {
 }
 
 /// Appends a vector. Nothing where there is no room.
-#[cfg_attr(feature = "small", inline(never))]
+#[cfg_attr(feature = "compact", inline(never))]
 fn push<R: Real, M: Storage>(
     columns: &mut [M::Particles<R>; 3],
     residuals: &mut [M::Particles<R::Residual>; 3],

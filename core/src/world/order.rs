@@ -24,7 +24,7 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, inverse_mas
         }
     }
     let key = |ends, number| key(ends, number, inverse_mass, asleep);
-    if cfg!(feature = "small") {
+    if cfg!(feature = "compact") {
         let [stiffness, damping, rest_length] = [stiffness, damping, rest_length].map(Column::items_mut);
         let count = ends.len() as u32;
         sort::sort(
@@ -59,7 +59,7 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, inverse_mas
 }
 
 /// What springs are ordered by. In two numbers, which take less to compare than six words: a tile's leaves eight bits.
-#[cfg_attr(feature = "small", inline(never))]
+#[cfg_attr(feature = "compact", inline(never))]
 fn key<R: Real>([i, j]: [u32; 2], number: u32, inverse_mass: &[R], asleep: u32) -> (u64, u64) {
     let last = (u32::from(j >= asleep) << 31) | (u32::from(is_idle([i, j], inverse_mass)) << 30);
     let words = |high: u32, low: u32| (u64::from(high) << 32) | u64::from(low);

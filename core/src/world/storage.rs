@@ -63,7 +63,7 @@ impl<T: Copy, const CAPACITY: usize> Column<T> for heapless::Vec<T, CAPACITY> {
         self
     }
 
-    #[cfg_attr(feature = "small", inline(never))]
+    #[cfg_attr(feature = "compact", inline(never))]
     fn push(&mut self, item: T) -> Result<(), T> {
         self.push(item)
     }

@@ -373,7 +373,7 @@ impl<'a, R: Real> View<'a, R> {
 
     /// The same, where the states of the slots before this one are known to be finite.
     pub(crate) fn refuse_non_finite_from(&self, first: u32) -> Result<(), StepError> {
-        let finite = !cfg!(feature = "small")
+        let finite = !cfg!(feature = "compact")
             && self.next.position.iter().chain(&self.next.velocity).all(|column| {
                 let rest = column.get(first as usize..).unwrap_or_default();
                 rest.iter().fold(true, |finite, value| finite & value.is_finite())
