@@ -42,7 +42,8 @@ pub fn put<T>(items: &mut [T], index: u32, value: T) {
 }
 
 /// The vector of particle `index`.
-#[inline(always)]
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
 pub fn fetch<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
     let ([x, y, z], index) = (columns, index as usize);
     // One way out for all three: a branch that is never taken, where three defaults would each be selected.
@@ -53,7 +54,8 @@ pub fn fetch<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
 }
 
 /// Sets the vector of particle `index`.
-#[inline(always)]
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
 pub fn store<T>([x, y, z]: &mut ColumnsMut<'_, T>, index: u32, vector: [T; 3]) {
     let index = index as usize;
     if let (Some(x), Some(y), Some(z)) = (x.get_mut(index), y.get_mut(index), z.get_mut(index)) {
@@ -97,7 +99,8 @@ pub fn along<R: Real>(a: [R; 3], s: R, b: [R; 3]) -> [R; 3] {
 ///
 /// One subtraction leaves a rounding of |a| along n; after the second it is a rounding of what is left ("twice is
 /// enough", Parlett, *The Symmetric Eigenvalue Problem*, §6.9).
-#[inline(always)]
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
 pub fn across<R: Real>(a: [R; 3], n: [R; 3]) -> [R; 3] {
     let once = along(a, -dot(n, a), n);
     if size(once) <= R::from_f64(8.0) * R::EPSILON * size(a) {

@@ -69,7 +69,8 @@ impl<R: Real> Flight<R> {
     /// Gives it this normal velocity, and rounds its position to the plane that it has come to.
     ///
     /// A particle that started beyond the plane stays beyond it: a bounce does not move particles.
-    #[inline(always)]
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
     pub fn put_on(&mut self, plane: &Plane<R>, normal_velocity: R) {
         let gap = plane.gap(self.position);
         if gap.abs() <= R::from_f64(4.0) * touching(plane, self.position) {
@@ -82,7 +83,8 @@ impl<R: Real> Flight<R> {
 /// When c + v τ + b τ² first falls through 0 at a τ > 0, or at once if it is there and falling; c ≥ 0.
 ///
 /// Neither form subtracts nearly equal numbers.
-#[inline(always)]
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
 pub fn first_contact<R: Real>(c: R, v: R, b: R) -> Option<R> {
     let two = R::from_f64(2.0);
     let discriminant = v * v - R::from_f64(4.0) * b * c;
@@ -181,7 +183,8 @@ impl<'a, R: Real> Path<'a, R> {
     }
 
     /// When a plane is met; nothing if it is not, or if the particle lies on it.
-    #[inline(always)]
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
     pub fn time_to(&self, plane: &Plane<R>, flight: &Flight<R>, a: [R; 3]) -> Option<R> {
         let gap = plane.gap(flight.position);
         let speed = dot(plane.normal, flight.velocity);
@@ -196,7 +199,8 @@ impl<'a, R: Real> Path<'a, R> {
 
     /// The speed of the impact after τ, and the particle there: on the plane, unless it started beyond it by more than
     /// its way there may be rounded.
-    #[inline(always)]
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
     pub fn impact(&self, flight: &Flight<R>, tau: R, plane: &Plane<R>, a: [R; 3]) -> (R, Flight<R>) {
         let mut there = flight.after(tau, a, self.curvature);
         let half = R::from_f64(0.5);

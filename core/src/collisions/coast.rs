@@ -100,7 +100,8 @@ struct Along<'a, R> {
 
 impl<R: Real> Along<'_, R> {
     /// One tile, these times after the last events.
-    #[inline(always)]
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
     fn coast(&self, elapsed: &[R], tile: Range<u32>, position: &mut [R], velocity: &mut [R]) {
         if !self.is_asked {
             return;

@@ -40,7 +40,9 @@ impl<R: Real> Kernel for Pass<'_, R> {
         let Self { system, time, due, .. } = self;
         let block = due.list(&mut self.events, self.block, time);
         let mut passed = Passed { block, ..Passed::default() };
-        self.events.pass_together(system, due, time);
+        if !cfg!(feature = "compact") {
+            self.events.pass_together(system, due, time);
+        }
         for (index, bounces) in due.each() {
             if self.events.due(index) <= time {
                 self.events.pass_until(system, index, time, bounces);
