@@ -73,20 +73,17 @@ impl<R: Real> Sums<'_, '_, R> {
         }
         let count = (self.tile.end - self.tile.start) as usize;
         let mut finite = true;
-        let mut place = 0;
-        while place + BLOCK <= count {
-            finite &= self.block::<BLOCK, VELOCITY>(terms, last, place)?;
-            place += BLOCK;
-        }
-        if place == count {
+        if count < BLOCK {
+            for place in 0..count {
+                finite &= self.block::<1, VELOCITY>(terms, last, place)?;
+            }
             return Some(finite);
         }
-        // What is left is summed with some of those before it once more: sums read nothing that they write.
-        if count >= BLOCK {
-            return Some(finite & self.block::<BLOCK, VELOCITY>(terms, last, count - BLOCK)?);
-        }
-        for place in 0..count {
-            finite &= self.block::<1, VELOCITY>(terms, last, place)?;
+        let mut place = 0;
+        while place < count {
+            // What is left at the end is summed with some of those before it once more: sums read nothing that they write.
+            finite &= self.block::<BLOCK, VELOCITY>(terms, last, place.min(count - BLOCK))?;
+            place += BLOCK;
         }
         Some(finite)
     }
