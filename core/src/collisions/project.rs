@@ -6,7 +6,6 @@ use crate::Real;
 use crate::forces::energy;
 use crate::roles::{Observer, Response, Stepper};
 use crate::types::{StepError, StepReport};
-use crate::vectors::along;
 use crate::world::View;
 
 /// Like [`super::Reflect`], and a particle that is answered is moved along the normal to n·x = offset.
@@ -28,8 +27,7 @@ impl<R: Real> Response<R> for Project {
         let watched = observer.watches() && view.system.plan.planes > 0;
         let potential = |view: &View<'_, R>| energy::potential(&view.system, &view.next);
         let before = if watched { potential(view) } else { 0.0 };
-        let mut answer =
-            answer(&view.system, &mut view.next, watched, |plane, gap, position| along(position, -gap, plane.normal));
+        let mut answer = answer(&view.system, &mut view.next, watched, true);
         if watched && answer.hits > 0 {
             answer.lost += before - potential(view);
         }

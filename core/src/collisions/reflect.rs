@@ -30,7 +30,7 @@ impl<R: Real> Response<R> for Reflect {
         observer: &mut impl Observer<R>,
     ) -> Result<StepReport, StepError> {
         let mut report = advance_in_parts(view, stepper, dt, observer)?;
-        let answer = answer(&view.system, &mut view.next, observer.watches(), |_, _, position| position);
+        let answer = answer(&view.system, &mut view.next, observer.watches(), false);
         finish(view, &mut report, &answer, observer)?;
         Ok(report)
     }
@@ -47,13 +47,13 @@ pub struct Answer {
     pub overflows: bool,
 }
 
-/// Reflects every particle that satisfies the condition of a plane, and moves it as `displace` says. The energy that is lost
-/// is counted if it is `watched`.
+/// Reflects every particle that satisfies the condition of a plane, and puts it on the plane if it is to be projected. The
+/// energy that is lost is counted if it is `watched`.
 pub fn answer<R: Real>(
     system: &System<'_, R>,
     state: &mut State<'_, R>,
     is_watched: bool,
-    displace: impl Fn(&Plane<R>, R, [R; 3]) -> [R; 3],
+    is_projected: bool,
 ) -> Answer {
     let mut answer = Answer::default();
     if system.planes.is_empty() {
@@ -66,7 +66,7 @@ pub fn answer<R: Real>(
             let slots = start..start.saturating_add(STRETCH).min(system.plan.particles);
             start = slots.end;
             for plane in system.planes {
-                answer_tile(system, state, plane, slots.clone(), is_watched, &mut answer, &displace);
+                answer_tile(system, state, plane, slots.clone(), [is_watched, is_projected], &mut answer);
             }
         }
         return answer;
@@ -80,7 +80,7 @@ pub fn answer<R: Real>(
             if may_meet
                 && lanes::run(system.lanes, AnyBeyond { plane, position: window(read(&state.position), slots.clone()) })
             {
-                answer_tile(system, state, plane, slots.clone(), is_watched, &mut answer, &displace);
+                answer_tile(system, state, plane, slots.clone(), [is_watched, is_projected], &mut answer);
             }
         }
     }
@@ -108,9 +108,8 @@ fn answer_tile<R: Real>(
     state: &mut State<'_, R>,
     plane: &Plane<R>,
     slots: Range<u32>,
-    is_watched: bool,
+    [is_watched, is_projected]: [bool; 2],
     answer: &mut Answer,
-    displace: &impl Fn(&Plane<R>, R, [R; 3]) -> [R; 3],
 ) {
     for slot in slots {
         let position = fetch(read(&state.position), slot);
@@ -122,7 +121,8 @@ fn answer_tile<R: Real>(
         let speed = dot(plane.normal, velocity);
         if speed < R::ZERO {
             let change = -(R::ONE + plane.restitution) * speed;
-            let (position, velocity) = (displace(plane, gap, position), along(velocity, change, plane.normal));
+            let velocity = along(velocity, change, plane.normal);
+            let position = if is_projected { along(position, -gap, plane.normal) } else { position };
             state.put_velocity(slot, velocity);
             state.put_position(slot, position);
             // A sum is not finite if one of them is not; if it alone is not, whoever looks finds that all of them are.
