@@ -1,12 +1,6 @@
 //! Where the hot loops are compiled: with this crate, once for each precision, and not again in every program that is
-//! generic over it. A program may be compiled for size, or not be optimised at all, and with
-//!
-//! ```toml
-//! [profile.dev.package.hooke]
-//! opt-level = 3
-//! ```
-//!
-//! they are as fast as ever.
+//! generic over it. Such a program may be compiled for size, or not be optimised at all, and they are fast all the same if this
+//! crate is given another `opt-level`.
 
 use crate::forces::{Damped, Damping, SpringsOf, Write};
 use crate::lanes::{self, Present};
