@@ -1,19 +1,16 @@
 //! A world's state as bytes, little-endian: what it is made of, what has been chosen, and where everything is.
 
-use hooke::{Balance, Ledger, Real};
+use hooke::{Balance, Ledger, Plane, Real};
 
 use crate::code::{HookeCode, Outcome};
-use crate::engine::{Choices, Engine, SpringGiven};
+use crate::engine::{Choices, Engine, numbers, parameters_of};
 use crate::method::MaybeLedger;
 use crate::options::{HookeCollision, HookeHold, HookeStepper};
 
 /// The first bytes; the last is the version of what follows.
-const MAGIC: [u8; 8] = *b"hooke\0\0\x01";
-/// Time, tolerance, gravity, and what the ledger has come to.
-const NUMBERS: usize = 2 + 3 + 5;
-/// The width of a real, the counts, stepper, collision, whether there is a ledger, whether steps may do without a factor.
-const WORDS: usize = 1 + 3 + 4;
-const HEADER: usize = MAGIC.len() + 4 * WORDS + 8 * NUMBERS;
+const MAGIC: u64 = u64::from_le_bytes(*b"hooke\0\0\x01");
+/// What comes before the particles, bytes.
+const HEADER: usize = size_of::<Header>();
 const HELD: u32 = 1;
 
 /// How long the parts of a snapshot are.
@@ -43,9 +40,12 @@ impl Extents {
         5 * self.real
     }
 
-    fn parts(self) -> [usize; 4] {
-        let [particles, springs, planes] = self.counts.map(|count| count as usize);
-        [HEADER, particles * self.particle(), springs * self.spring(), planes * self.plane()]
+    /// Where particles, springs and planes begin, and where all of it ends.
+    fn bounds(self) -> [usize; 4] {
+        let [particles, springs, planes] = self.counts;
+        let first_spring = HEADER + particles as usize * self.particle();
+        let first_plane = first_spring + springs as usize * self.spring();
+        [HEADER, first_spring, first_plane, first_plane + planes as usize * self.plane()]
     }
 }
 
@@ -56,23 +56,31 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn bytes(&mut self, bytes: &[u8]) {
-        let (to, rest) = core::mem::take(&mut self.bytes).split_at_mut_checked(bytes.len()).unwrap_or_default();
-        to.copy_from_slice(bytes.get(..to.len()).unwrap_or_default());
+    fn bits(&mut self, bits: u64, width: usize) {
+        let (to, rest) = core::mem::take(&mut self.bytes).split_at_mut_checked(width).unwrap_or_default();
+        for (to, byte) in to.iter_mut().zip(bits.to_le_bytes()) {
+            *to = byte;
+        }
         self.bytes = rest;
     }
 
-    fn word(&mut self, word: u32) {
-        self.bytes(&word.to_le_bytes());
+    fn words(&mut self, words: &[u32]) {
+        for word in words {
+            self.bits((*word).into(), 4);
+        }
     }
 
-    fn number(&mut self, number: f64) {
-        self.bytes(&number.to_le_bytes());
+    fn reals(&mut self, reals: &[f64]) {
+        for real in reals {
+            // Exact: it was of that width.
+            let bits = if self.real == 4 { (*real as f32).to_bits().into() } else { real.to_bits() };
+            self.bits(bits, self.real);
+        }
     }
 
-    fn real(&mut self, real: f64) {
-        // Exact: it was of that width.
-        if self.real == 4 { self.bytes(&(real as f32).to_le_bytes()) } else { self.number(real) }
+    /// From so many bytes further on.
+    fn at(&mut self, start: usize) -> Writer<'_> {
+        Writer { bytes: self.bytes.get_mut(start..).unwrap_or_default(), real: self.real }
     }
 }
 
@@ -84,26 +92,33 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn bytes<const COUNT: usize>(&mut self) -> [u8; COUNT] {
-        let (first, rest) = self.bytes.split_first_chunk().unwrap_or((&[0; COUNT], &[]));
+    fn bits(&mut self, width: usize) -> u64 {
+        let (bytes, rest) = self.bytes.split_at_checked(width).unwrap_or_default();
         self.bytes = rest;
-        *first
+        bytes.iter().rev().fold(0, |bits, byte| bits << 8 | u64::from(*byte))
     }
 
     fn word(&mut self) -> u32 {
-        u32::from_le_bytes(self.bytes())
-    }
-
-    fn number(&mut self) -> f64 {
-        f64::from_le_bytes(self.bytes())
+        self.bits(4) as u32
     }
 
     fn real(&mut self) -> f64 {
-        if self.real == 4 { f64::from(f32::from_le_bytes(self.bytes())) } else { self.number() }
+        let bits = self.bits(self.real);
+        if self.real == 4 { f32::from_bits(bits as u32).into() } else { f64::from_bits(bits) }
     }
 
-    fn reals<const COUNT: usize>(&mut self) -> [f64; COUNT] {
-        core::array::from_fn(|_| self.real())
+    fn vector(&mut self) -> [f64; 3] {
+        [self.real(), self.real(), self.real()]
+    }
+
+    /// Goes past so many reals, and tells whether all of them are finite and not below `least`.
+    fn are_from(&mut self, least: f64, count: u32) -> bool {
+        let mut are = true;
+        for _ in 0..count {
+            let real = self.real();
+            are &= real >= least && real.is_finite();
+        }
+        are
     }
 
     /// From so many bytes further on.
@@ -114,97 +129,90 @@ impl Reader<'_> {
 
 /// What comes before the particles.
 struct Header {
-    time: f64,
-    choices: Choices,
-    gravity: [f64; 3],
-    ledger: Option<Balance>,
+    magic: u64,
+    /// The width of a real, the counts, stepper, collision, whether there is a ledger, whether steps may do without a factor.
+    words: [u32; 1 + 3 + 4],
+    /// Time, tolerance, gravity, and what the ledger has come to.
+    numbers: [f64; 2 + 3 + 5],
 }
 
 impl Header {
-    fn read<R: Real>(mut bytes: Reader<'_>, extents: &Extents) -> Option<Self> {
-        let is_ours = bytes.bytes() == MAGIC
-            && bytes.word() == extents.real as u32
-            && extents.counts.iter().all(|count| bytes.word() == *count);
-        let (stepper, collision) = (bytes.word(), bytes.word());
-        let (has_ledger, may_do_without_factor) = (bytes.word() == 1, bytes.word() == 1);
-        let (time, tolerance) = (bytes.number(), bytes.number());
-        let mut numbers = || bytes.number();
-        let gravity = [numbers(), numbers(), numbers()];
-        let balance = Balance {
-            lost_to_damping: numbers(),
-            lost_in_impacts: numbers(),
-            lost_to_sleep: numbers(),
-            work_of_pins: numbers(),
-            opened_with: numbers(),
-            // The rest follows from the state.
-            ..Balance::default()
-        };
-        let choices = Choices {
-            stepper: HookeStepper::numbered(stepper)?,
-            collision: HookeCollision::numbered(collision)?,
-            tolerance,
-            may_do_without_factor,
-        };
-        let is_sound = time.is_finite()
-            && tolerance > 0.0
-            && tolerance.is_finite()
-            // What a double holds may be past what the world does.
-            && gravity.iter().all(|component| R::from_f64(*component).is_finite())
-            && is_finite(&balance);
-        (is_ours && is_sound).then_some(Self { time, choices, gravity, ledger: has_ledger.then_some(balance) })
+    fn of<R: Real>(engine: &Engine<R>, extents: Extents) -> Self {
+        let [particles, springs, planes] = extents.counts;
+        let Choices { stepper, collision, tolerance, may_do_without_factor } = engine.choices;
+        // A ledger past all numbers is none, lest the snapshot be refused.
+        let carried = engine.carried.filter(|balance| are_finite(&energies(balance)));
+        let [x, y, z] = engine.world.gravity();
+        let [damping, impacts, sleep, pins, opened_with] = energies(&carried.unwrap_or_default());
+        let (x, y, z) = (x.to_f64(), y.to_f64(), z.to_f64());
+        Self {
+            magic: MAGIC,
+            words: [
+                extents.real as u32,
+                particles,
+                springs,
+                planes,
+                stepper as u32,
+                collision as u32,
+                carried.is_some().into(),
+                may_do_without_factor.into(),
+            ],
+            numbers: [engine.time(), tolerance, x, y, z, damping, impacts, sleep, pins, opened_with],
+        }
+    }
+
+    fn write(&self, to: Writer<'_>) {
+        let mut to = Writer { real: 8, ..to };
+        to.bits(self.magic, 8);
+        to.words(&self.words);
+        to.reals(&self.numbers);
+    }
+
+    fn read(from: Reader<'_>) -> Self {
+        let mut from = Reader { real: 8, ..from };
+        let mut header = Self { magic: from.bits(8), words: [0; 8], numbers: [0.0; 10] };
+        for word in &mut header.words {
+            *word = from.word();
+        }
+        for number in &mut header.numbers {
+            *number = from.real();
+        }
+        header
     }
 }
 
 impl<R: Real> Engine<R> {
     /// How many bytes a snapshot has.
     pub fn snapshot_size(&self) -> usize {
-        Extents::of(self).parts().iter().sum()
+        let [.., end] = Extents::of(self).bounds();
+        end
     }
 
     /// Writes one. What follows the state begins anew, so that the world moves from here to the bit as one does that the
     /// snapshot is put back into.
     pub fn snapshot(&mut self, bytes: &mut [u8]) -> Outcome {
         let extents = Extents::of(self);
-        if bytes.len() != self.snapshot_size() {
+        let [particles, springs, planes, end] = extents.bounds();
+        if bytes.len() != end {
             return Err(HookeCode::Length.into());
         }
         self.begin_anew();
-        let mut header = Writer { bytes: &mut *bytes, real: extents.real };
-        header.bytes(&MAGIC);
-        header.word(extents.real as u32);
-        extents.counts.into_iter().for_each(|count| header.word(count));
-        header.word(self.choices.stepper as u32);
-        header.word(self.choices.collision as u32);
-        // A ledger past all numbers is none, lest the snapshot be refused.
-        let carried = self.carried.filter(is_finite);
-        header.word(u32::from(carried.is_some()));
-        header.word(u32::from(self.choices.may_do_without_factor));
-        header.number(self.time());
-        header.number(self.choices.tolerance);
-        self.world.gravity().into_iter().for_each(|component| header.number(component.to_f64()));
-        let carried = carried.unwrap_or_default();
-        energies(&carried).into_iter().for_each(|energy| header.number(energy));
-        let mut particles = header;
-        for (number, state) in (0..).zip(self.states()) {
-            state.into_iter().flatten().for_each(|component| particles.real(component));
-            particles.word(if self.world.is_held(number) == Some(true) { HELD } else { 0 });
+        let mut all = Writer { bytes, real: extents.real };
+        Header::of(self, extents).write(all.at(0));
+        let mut to = all.at(particles);
+        for (number, [position, velocity]) in (0..).zip(self.states()) {
+            to.reals(&position);
+            to.reals(&velocity);
+            to.words(&[if self.world.is_held(number) == Some(true) { HELD } else { 0 }]);
         }
-        let [header, particles, springs, _] = extents.parts();
         for (number, spring) in self.world.springs() {
-            let start = header + particles + number as usize * extents.spring();
-            let mut place = Writer { bytes: bytes.get_mut(start..).unwrap_or_default(), real: extents.real };
-            spring.between.into_iter().for_each(|end| place.word(end));
-            for parameter in [spring.stiffness, spring.damping, spring.rest_length] {
-                place.real(parameter.to_f64());
-            }
+            let mut to = all.at(springs + number as usize * extents.spring());
+            to.words(&spring.between);
+            to.reals(&parameters_of(&spring));
         }
-        let start = header + particles + springs;
-        let mut planes = Writer { bytes: bytes.get_mut(start..).unwrap_or_default(), real: extents.real };
+        let mut to = all.at(planes);
         for plane in self.world.planes() {
-            let normal = plane.normal().into().map(Real::to_f64);
-            normal.into_iter().for_each(|component| planes.real(component));
-            planes.real(plane.offset().to_f64());
-            planes.real(plane.restitution().to_f64());
+            to.reals(&plane_numbers(plane));
         }
         Ok(())
     }
@@ -212,66 +220,87 @@ impl<R: Real> Engine<R> {
     /// Puts one back, of a world with the same particles, springs and planes.
     pub fn restore(&mut self, bytes: &[u8]) -> Outcome {
         let extents = Extents::of(self);
+        let [particles, springs, planes, end] = extents.bounds();
         let all = Reader { bytes, real: extents.real };
-        let header = Header::read::<R>(all, &extents).filter(|_| bytes.len() == self.snapshot_size());
-        let header = header.ok_or(HookeCode::Snapshot)?;
-        let [start, particles, springs, _] = extents.parts();
-        let (particles, springs, planes) =
-            (all.at(start), all.at(start + particles), all.at(start + particles + springs));
-        if !(are_states(particles, extents) && self.has_springs(springs, extents) && self.has_planes(planes)) {
+        let (mut particles, springs, mut planes) = (all.at(particles), all.at(springs), all.at(planes));
+        let header = Header::read(all);
+        let [real, particle_count, spring_count, plane_count, stepper, collision, has_ledger, without_factor] =
+            header.words;
+        let [time, tolerance, x, y, z, damping, impacts, sleep, pins, opened_with] = header.numbers;
+        let (stepper, collision) = (HookeStepper::numbered(stepper), HookeCollision::numbered(collision));
+        let (Some(stepper), Some(collision)) = (stepper, collision) else { return Err(HookeCode::Snapshot.into()) };
+        let is_ours = [particle_count, spring_count, plane_count].iter().zip(&extents.counts).all(|(a, b)| a == b);
+        let is_sound = header.magic == MAGIC
+            && real == extents.real as u32
+            && is_ours
+            && bytes.len() == end
+            && are_finite(&header.numbers)
+            && tolerance > 0.0
+            // What a double holds may be past what the world does.
+            && [x, y, z].iter().all(|component| R::from_f64(*component).is_finite())
+            && are_states(particles, particle_count)
+            && self.has_springs(springs, extents)
+            && self.has_planes(planes);
+        if !is_sound {
             return Err(HookeCode::Snapshot.into());
         }
-        self.set_springs_from(springs, extents)?;
-        let mut bytes = planes;
-        for plane in 0..extents.counts[2] {
-            let [.., restitution] = bytes.reals::<5>();
-            self.set_restitution(plane, restitution)?;
+        self.change_springs(&|number, parameters| {
+            *parameters = springs.at(number as usize * extents.spring() + 8).vector();
+        })?;
+        for plane in 0..plane_count {
+            planes = planes.at(4 * extents.real);
+            self.set_restitution(plane, planes.real())?;
         }
-        let mut bytes = particles;
-        for number in 0..extents.counts[0] {
-            let [x, y, z, u, v, w] = bytes.reals();
+        for number in 0..particle_count {
+            let (position, velocity) = (particles.vector(), particles.vector());
             // A pinned particle is one that moves with the velocity 0.
-            let hold = if bytes.word() == HELD { HookeHold::Kinematic } else { HookeHold::Free };
+            let hold = if particles.word() == HELD { HookeHold::Kinematic } else { HookeHold::Free };
             self.set_hold(number, hold)?;
-            self.set_position(number, [x, y, z])?;
-            self.set_velocity(number, [u, v, w])?;
+            self.set_position(number, &position)?;
+            self.set_velocity(number, &velocity)?;
         }
-        self.set_gravity(header.gravity)?;
-        self.world.set_time(header.time)?;
-        self.choices = header.choices;
-        self.carried = header.ledger;
-        self.ledger = MaybeLedger(header.ledger.map(|_| Ledger::open(&self.world.view())));
+        self.set_gravity(&[x, y, z])?;
+        self.world.set_time(time)?;
+        self.choices = Choices { stepper, collision, tolerance, may_do_without_factor: without_factor == 1 };
+        let carried = Balance {
+            lost_to_damping: damping,
+            lost_in_impacts: impacts,
+            lost_to_sleep: sleep,
+            work_of_pins: pins,
+            opened_with,
+            // The rest follows from the state.
+            ..Balance::default()
+        };
+        self.carried = (has_ledger == 1).then_some(carried);
+        self.ledger = MaybeLedger(self.carried.map(|_| Ledger::open(&self.world.view())));
         self.begin_anew_without_ledger();
         Ok(())
     }
 
-    fn set_springs_from(&mut self, springs: Reader<'_>, extents: Extents) -> Outcome {
-        self.set_numbered_springs(|number, spring| {
-            let [stiffness, damping, rest_length] = springs.at(number as usize * extents.spring() + 8).reals();
-            SpringGiven { stiffness, damping, rest_length, ..spring }
-        })
-    }
-
     fn has_springs(&self, springs: Reader<'_>, extents: Extents) -> bool {
         self.world.springs().all(|(number, spring)| {
-            let mut bytes = springs.at(number as usize * extents.spring());
-            let mut between = [bytes.word(), bytes.word()];
-            let mut ours = spring.between;
+            let mut from = springs.at(number as usize * extents.spring());
+            let (one, other) = (from.word(), from.word());
+            let [first, second] = spring.between;
             // Which end comes first is no part of what a spring is.
-            between.sort_unstable();
-            ours.sort_unstable();
-            between == ours && bytes.reals::<3>().iter().all(|parameter| *parameter >= 0.0 && parameter.is_finite())
+            let is_between = (one == first && other == second) || (one == second && other == first);
+            is_between && from.are_from(0.0, 3)
         })
     }
 
-    fn has_planes(&self, mut bytes: Reader<'_>) -> bool {
+    fn has_planes(&self, mut from: Reader<'_>) -> bool {
         self.world.planes().iter().all(|plane| {
-            let [x, y, z, offset, restitution] = bytes.reals();
-            plane.normal().into().map(Real::to_f64) == [x, y, z]
-                && plane.offset().to_f64() == offset
-                && (0.0..=1.0).contains(&restitution)
+            let [x, y, z, offset, _] = plane_numbers(plane);
+            let is_same = [x, y, z, offset].iter().fold(true, |is_same, number| is_same & (from.real() == *number));
+            is_same && (0.0..=1.0).contains(&from.real())
         })
     }
+}
+
+/// Normal, offset and restitution.
+fn plane_numbers<R: Real>(plane: &Plane<R>) -> [f64; 5] {
+    let [x, y, z] = numbers::<R>(plane.normal());
+    [x, y, z, plane.offset().to_f64(), plane.restitution().to_f64()]
 }
 
 /// Those of a ledger's energies that do not follow from the state, in the order of the header.
@@ -280,13 +309,10 @@ fn energies(balance: &Balance) -> [f64; 5] {
     [lost_to_damping, lost_in_impacts, lost_to_sleep, work_of_pins, opened_with]
 }
 
-fn is_finite(balance: &Balance) -> bool {
-    energies(balance).iter().all(|energy| energy.is_finite())
+fn are_finite(numbers: &[f64]) -> bool {
+    numbers.iter().all(|number| number.is_finite())
 }
 
-fn are_states(mut bytes: Reader<'_>, extents: Extents) -> bool {
-    (0..extents.counts[0]).all(|_| {
-        let is_finite = bytes.reals::<6>().iter().all(|component| component.is_finite());
-        is_finite & (bytes.word() <= HELD)
-    })
+fn are_states(mut from: Reader<'_>, count: u32) -> bool {
+    (0..count).all(|_| from.are_from(f64::MIN, 6) & (from.word() <= HELD))
 }
