@@ -150,7 +150,7 @@ pub unsafe fn destroy(world: *mut HookeWorld) -> HookeCode {
 /// As for [`with`].
 #[inline(never)]
 unsafe fn enter(world: *mut HookeWorld) -> Result<(), HookeCode> {
-    check(world, 1, HOOKE_ALIGNMENT)?;
+    check(world, 1, HOOKE_ALIGNMENT).map_err(Wrong::code)?;
     if !current::begin() {
         return Err(HookeCode::Busy);
     }
@@ -240,19 +240,19 @@ pub unsafe fn write_if_asked<T>(pointer: *mut T, value: T) -> Outcome {
     if pointer.is_null() { Ok(()) } else { unsafe { write(pointer, value) } }
 }
 
-fn check<T>(pointer: *const T, count: usize, alignment: usize) -> Result<(), HookeCode> {
+fn check<T>(pointer: *const T, count: usize, alignment: usize) -> Outcome {
     check_bytes(pointer as usize, count, size_of::<T>(), alignment)
 }
 
 #[inline(never)]
-fn check_bytes(address: usize, count: usize, size: usize, alignment: usize) -> Result<(), HookeCode> {
+fn check_bytes(address: usize, count: usize, size: usize, alignment: usize) -> Outcome {
     if address == 0 {
-        return Err(HookeCode::NullPointer);
+        return Err(HookeCode::NullPointer.into());
     }
     if !address.is_multiple_of(alignment) {
-        return Err(HookeCode::Misaligned);
+        return Err(HookeCode::Misaligned.into());
     }
     let bytes = count.checked_mul(size).filter(|bytes| *bytes <= isize::MAX as usize);
     let is_there = bytes.and_then(|bytes| address.checked_add(bytes)).is_some();
-    if is_there { Ok(()) } else { Err(HookeCode::Length) }
+    if is_there { Ok(()) } else { Err(HookeCode::Length.into()) }
 }

@@ -287,8 +287,8 @@ impl<R: Real> Engine<R> {
         self.world.view().stability()
     }
 
-    pub fn digest(&mut self) -> u64 {
-        hooke_digest::of(&self.world.view())
+    pub fn digest(&self) -> u64 {
+        self.states().fold(hooke_digest::OF_NOTHING, hooke_digest::with)
     }
 }
 

@@ -9,8 +9,9 @@ use crate::options::{HookeCollision, HookeHold, HookeStepper};
 
 /// The first bytes; the last is the version of what follows.
 const MAGIC: u64 = u64::from_le_bytes(*b"hooke\0\0\x01");
-/// What comes before the particles, bytes.
-const HEADER: usize = size_of::<Header>();
+/// What comes before the particles, bytes: the width of a real, the counts, stepper, collision, whether there is a ledger,
+/// whether steps may do without a factor; time, tolerance, gravity, and what the ledger has come to.
+const HEADER: usize = 8 + 4 * (1 + 3 + 4) + 8 * (2 + 3 + 5);
 const HELD: u32 = 1;
 
 /// How long the parts of a snapshot are.
@@ -52,35 +53,39 @@ impl Extents {
 /// A place in some bytes, to write from.
 struct Writer<'a> {
     bytes: &'a mut [u8],
+    place: usize,
     real: usize,
 }
 
 impl Writer<'_> {
     fn bits(&mut self, bits: u64, width: usize) {
-        let (to, rest) = core::mem::take(&mut self.bytes).split_at_mut_checked(width).unwrap_or_default();
+        let end = self.place + width;
+        let to = self.bytes.get_mut(self.place..end).unwrap_or_default();
         for (to, byte) in to.iter_mut().zip(bits.to_le_bytes()) {
             *to = byte;
         }
-        self.bytes = rest;
+        self.place = end;
     }
 
-    fn words(&mut self, words: &[u32]) {
-        for word in words {
-            self.bits((*word).into(), 4);
+    fn word(&mut self, word: u32) {
+        self.bits(word.into(), 4);
+    }
+
+    fn number(&mut self, number: f64) {
+        self.bits(number.to_bits(), 8);
+    }
+
+    fn numbers(&mut self, numbers: &[f64]) {
+        for number in numbers {
+            self.number(*number);
         }
     }
 
     fn reals(&mut self, reals: &[f64]) {
         for real in reals {
             // Exact: it was of that width.
-            let bits = if self.real == 4 { (*real as f32).to_bits().into() } else { real.to_bits() };
-            self.bits(bits, self.real);
+            if self.real == 4 { self.word((*real as f32).to_bits()) } else { self.number(*real) }
         }
-    }
-
-    /// From so many bytes further on.
-    fn at(&mut self, start: usize) -> Writer<'_> {
-        Writer { bytes: self.bytes.get_mut(start..).unwrap_or_default(), real: self.real }
     }
 }
 
@@ -88,13 +93,15 @@ impl Writer<'_> {
 #[derive(Clone, Copy)]
 struct Reader<'a> {
     bytes: &'a [u8],
+    place: usize,
     real: usize,
 }
 
 impl Reader<'_> {
     fn bits(&mut self, width: usize) -> u64 {
-        let (bytes, rest) = self.bytes.split_at_checked(width).unwrap_or_default();
-        self.bytes = rest;
+        let end = self.place + width;
+        let bytes = self.bytes.get(self.place..end).unwrap_or_default();
+        self.place = end;
         bytes.iter().rev().fold(0, |bits, byte| bits << 8 | u64::from(*byte))
     }
 
@@ -102,9 +109,12 @@ impl Reader<'_> {
         self.bits(4) as u32
     }
 
+    fn number(&mut self) -> f64 {
+        f64::from_bits(self.bits(8))
+    }
+
     fn real(&mut self) -> f64 {
-        let bits = self.bits(self.real);
-        if self.real == 4 { f32::from_bits(bits as u32).into() } else { f64::from_bits(bits) }
+        if self.real == 4 { f32::from_bits(self.word()).into() } else { self.number() }
     }
 
     fn vector(&mut self) -> [f64; 3] {
@@ -120,64 +130,44 @@ impl Reader<'_> {
         }
         are
     }
-
-    /// From so many bytes further on.
-    fn at(self, start: usize) -> Self {
-        Self { bytes: self.bytes.get(start..).unwrap_or_default(), ..self }
-    }
 }
 
-/// What comes before the particles.
+/// What comes before the particles, of a snapshot that fits the world.
 struct Header {
-    magic: u64,
-    /// The width of a real, the counts, stepper, collision, whether there is a ledger, whether steps may do without a factor.
-    words: [u32; 1 + 3 + 4],
-    /// Time, tolerance, gravity, and what the ledger has come to.
-    numbers: [f64; 2 + 3 + 5],
+    time: f64,
+    choices: Choices,
+    gravity: [f64; 3],
+    ledger: Option<Balance>,
 }
 
 impl Header {
-    fn of<R: Real>(engine: &Engine<R>, extents: Extents) -> Self {
-        let [particles, springs, planes] = extents.counts;
-        let Choices { stepper, collision, tolerance, may_do_without_factor } = engine.choices;
-        // A ledger past all numbers is none, lest the snapshot be refused.
-        let carried = engine.carried.filter(|balance| are_finite(&energies(balance)));
-        let [x, y, z] = engine.world.gravity();
-        let [damping, impacts, sleep, pins, opened_with] = energies(&carried.unwrap_or_default());
-        let (x, y, z) = (x.to_f64(), y.to_f64(), z.to_f64());
-        Self {
-            magic: MAGIC,
-            words: [
-                extents.real as u32,
-                particles,
-                springs,
-                planes,
-                stepper as u32,
-                collision as u32,
-                carried.is_some().into(),
-                may_do_without_factor.into(),
-            ],
-            numbers: [engine.time(), tolerance, x, y, z, damping, impacts, sleep, pins, opened_with],
-        }
-    }
-
-    fn write(&self, to: Writer<'_>) {
-        let mut to = Writer { real: 8, ..to };
-        to.bits(self.magic, 8);
-        to.words(&self.words);
-        to.reals(&self.numbers);
-    }
-
-    fn read(from: Reader<'_>) -> Self {
-        let mut from = Reader { real: 8, ..from };
-        let mut header = Self { magic: from.bits(8), words: [0; 8], numbers: [0.0; 10] };
-        for word in &mut header.words {
-            *word = from.word();
-        }
-        for number in &mut header.numbers {
-            *number = from.real();
-        }
-        header
+    fn read<R: Real>(from: &mut Reader<'_>, extents: Extents) -> Option<Self> {
+        let is_ours = from.bits(8) == MAGIC
+            && from.word() == extents.real as u32
+            && extents.counts.iter().all(|count| from.word() == *count);
+        let (stepper, collision) = (from.word(), from.word());
+        let (has_ledger, may_do_without_factor) = (from.word() == 1, from.word() == 1);
+        let (time, tolerance) = (from.number(), from.number());
+        let gravity = [from.number(), from.number(), from.number()];
+        let balance = Balance {
+            lost_to_damping: from.number(),
+            lost_in_impacts: from.number(),
+            lost_to_sleep: from.number(),
+            work_of_pins: from.number(),
+            opened_with: from.number(),
+            // The rest follows from the state.
+            ..Balance::default()
+        };
+        let stepper = HookeStepper::numbered(stepper)?;
+        let collision = HookeCollision::numbered(collision)?;
+        let is_sound = time.is_finite()
+            && tolerance > 0.0
+            && tolerance.is_finite()
+            // What a double holds may be past what the world does.
+            && gravity.iter().all(|component| R::from_f64(*component).is_finite())
+            && are_finite(&energies(&balance));
+        let choices = Choices { stepper, collision, tolerance, may_do_without_factor };
+        (is_ours && is_sound).then_some(Self { time, choices, gravity, ledger: has_ledger.then_some(balance) })
     }
 }
 
@@ -192,94 +182,97 @@ impl<R: Real> Engine<R> {
     /// snapshot is put back into.
     pub fn snapshot(&mut self, bytes: &mut [u8]) -> Outcome {
         let extents = Extents::of(self);
-        let [particles, springs, planes, end] = extents.bounds();
+        let [_, springs, planes, end] = extents.bounds();
         if bytes.len() != end {
             return Err(HookeCode::Length.into());
         }
         self.begin_anew();
-        let mut all = Writer { bytes, real: extents.real };
-        Header::of(self, extents).write(all.at(0));
-        let mut to = all.at(particles);
+        let mut to = Writer { bytes, place: 0, real: extents.real };
+        self.write_header(&mut to, extents);
         for (number, [position, velocity]) in (0..).zip(self.states()) {
             to.reals(&position);
             to.reals(&velocity);
-            to.words(&[if self.world.is_held(number) == Some(true) { HELD } else { 0 }]);
+            to.word(if self.world.is_held(number) == Some(true) { HELD } else { 0 });
         }
         for (number, spring) in self.world.springs() {
-            let mut to = all.at(springs + number as usize * extents.spring());
-            to.words(&spring.between);
+            to.place = springs + number as usize * extents.spring();
+            let [first, second] = spring.between;
+            to.word(first);
+            to.word(second);
             to.reals(&parameters_of(&spring));
         }
-        let mut to = all.at(planes);
+        to.place = planes;
         for plane in self.world.planes() {
             to.reals(&plane_numbers(plane));
         }
         Ok(())
     }
 
+    fn write_header(&self, to: &mut Writer<'_>, extents: Extents) {
+        // A ledger past all numbers is none, lest the snapshot be refused.
+        let carried = self.carried.filter(|balance| are_finite(&energies(balance)));
+        to.bits(MAGIC, 8);
+        to.word(extents.real as u32);
+        for count in extents.counts {
+            to.word(count);
+        }
+        to.word(self.choices.stepper as u32);
+        to.word(self.choices.collision as u32);
+        to.word(carried.is_some().into());
+        to.word(self.choices.may_do_without_factor.into());
+        to.number(self.time());
+        to.number(self.choices.tolerance);
+        for component in self.world.gravity() {
+            to.number(component.to_f64());
+        }
+        to.numbers(&energies(&carried.unwrap_or_default()));
+    }
+
     /// Puts one back, of a world with the same particles, springs and planes.
     pub fn restore(&mut self, bytes: &[u8]) -> Outcome {
         let extents = Extents::of(self);
         let [particles, springs, planes, end] = extents.bounds();
-        let all = Reader { bytes, real: extents.real };
-        let (mut particles, springs, mut planes) = (all.at(particles), all.at(springs), all.at(planes));
-        let header = Header::read(all);
-        let [real, particle_count, spring_count, plane_count, stepper, collision, has_ledger, without_factor] =
-            header.words;
-        let [time, tolerance, x, y, z, damping, impacts, sleep, pins, opened_with] = header.numbers;
-        let (stepper, collision) = (HookeStepper::numbered(stepper), HookeCollision::numbered(collision));
-        let (Some(stepper), Some(collision)) = (stepper, collision) else { return Err(HookeCode::Snapshot.into()) };
-        let is_ours = [particle_count, spring_count, plane_count].iter().zip(&extents.counts).all(|(a, b)| a == b);
-        let is_sound = header.magic == MAGIC
-            && real == extents.real as u32
-            && is_ours
-            && bytes.len() == end
-            && are_finite(&header.numbers)
-            && tolerance > 0.0
-            // What a double holds may be past what the world does.
-            && [x, y, z].iter().all(|component| R::from_f64(*component).is_finite())
-            && are_states(particles, particle_count)
-            && self.has_springs(springs, extents)
-            && self.has_planes(planes);
+        let [particle_count, _, plane_count] = extents.counts;
+        let mut from = Reader { bytes, place: 0, real: extents.real };
+        let header = Header::read::<R>(&mut from, extents).filter(|_| bytes.len() == end);
+        let header = header.ok_or(HookeCode::Snapshot)?;
+        let is_sound = (0..particle_count).all(|_| from.are_from(f64::MIN, 6) & (from.word() <= HELD))
+            && self.has_springs(Reader { place: springs, ..from }, extents)
+            && self.has_planes(Reader { place: planes, ..from });
         if !is_sound {
             return Err(HookeCode::Snapshot.into());
         }
         self.change_springs(&|number, parameters| {
-            *parameters = springs.at(number as usize * extents.spring() + 8).vector();
+            let place = springs + number as usize * extents.spring() + 8;
+            *parameters = Reader { place, ..from }.vector();
         })?;
+        from.place = planes;
         for plane in 0..plane_count {
-            planes = planes.at(4 * extents.real);
-            self.set_restitution(plane, planes.real())?;
+            from.place += 4 * extents.real;
+            self.set_restitution(plane, from.real())?;
         }
+        from.place = particles;
         for number in 0..particle_count {
-            let (position, velocity) = (particles.vector(), particles.vector());
+            let (position, velocity) = (from.vector(), from.vector());
             // A pinned particle is one that moves with the velocity 0.
-            let hold = if particles.word() == HELD { HookeHold::Kinematic } else { HookeHold::Free };
+            let hold = if from.word() == HELD { HookeHold::Kinematic } else { HookeHold::Free };
             self.set_hold(number, hold)?;
             self.set_position(number, &position)?;
             self.set_velocity(number, &velocity)?;
         }
-        self.set_gravity(&[x, y, z])?;
-        self.world.set_time(time)?;
-        self.choices = Choices { stepper, collision, tolerance, may_do_without_factor: without_factor == 1 };
-        let carried = Balance {
-            lost_to_damping: damping,
-            lost_in_impacts: impacts,
-            lost_to_sleep: sleep,
-            work_of_pins: pins,
-            opened_with,
-            // The rest follows from the state.
-            ..Balance::default()
-        };
-        self.carried = (has_ledger == 1).then_some(carried);
-        self.ledger = MaybeLedger(self.carried.map(|_| Ledger::open(&self.world.view())));
+        self.set_gravity(&header.gravity)?;
+        self.world.set_time(header.time)?;
+        self.choices = header.choices;
+        self.carried = header.ledger;
+        self.ledger = MaybeLedger(header.ledger.map(|_| Ledger::open(&self.world.view())));
         self.begin_anew_without_ledger();
         Ok(())
     }
 
-    fn has_springs(&self, springs: Reader<'_>, extents: Extents) -> bool {
+    fn has_springs(&self, mut from: Reader<'_>, extents: Extents) -> bool {
+        let first_place = from.place;
         self.world.springs().all(|(number, spring)| {
-            let mut from = springs.at(number as usize * extents.spring());
+            from.place = first_place + number as usize * extents.spring();
             let (one, other) = (from.word(), from.word());
             let [first, second] = spring.between;
             // Which end comes first is no part of what a spring is.
@@ -291,7 +284,7 @@ impl<R: Real> Engine<R> {
     fn has_planes(&self, mut from: Reader<'_>) -> bool {
         self.world.planes().iter().all(|plane| {
             let [x, y, z, offset, _] = plane_numbers(plane);
-            let is_same = [x, y, z, offset].iter().fold(true, |is_same, number| is_same & (from.real() == *number));
+            let is_same = from.real() == x && from.real() == y && from.real() == z && from.real() == offset;
             is_same && (0.0..=1.0).contains(&from.real())
         })
     }
@@ -311,8 +304,4 @@ fn energies(balance: &Balance) -> [f64; 5] {
 
 fn are_finite(numbers: &[f64]) -> bool {
     numbers.iter().all(|number| number.is_finite())
-}
-
-fn are_states(mut from: Reader<'_>, count: u32) -> bool {
-    (0..count).all(|_| from.are_from(f64::MIN, 6) & (from.word() <= HELD))
 }
