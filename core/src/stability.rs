@@ -79,7 +79,7 @@ impl<R: Real> View<'_, R> {
     /// ```
     #[must_use]
     pub fn stability(&self) -> Option<StabilityBound> {
-        bound(&System { plan: self.system.plan.awake(), ..self.system }, &self.current)
+        bound(&self.system, self.system.plan.awake().attached, &self.current)
     }
 }
 
@@ -95,9 +95,10 @@ struct Blocks {
     relaxation: f64,
 }
 
-pub(crate) fn bound<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> Option<StabilityBound> {
+/// For the slots from 0 to `attached`.
+pub(crate) fn bound<R: Real>(system: &System<'_, R>, attached: u32, state: &State<'_, R>) -> Option<StabilityBound> {
     let mut bound: Option<StabilityBound> = None;
-    for (slot, incidences) in system.springs.by_slot(system.plan.attached) {
+    for (slot, incidences) in system.springs.by_slot(attached) {
         if !system.is_dynamic(slot) {
             continue;
         }

@@ -114,7 +114,7 @@ impl<R: Real, M: Storage, const FILL: usize> Auto<R, M, FILL> {
             _ => {
                 self.made_for = made_for;
                 self.steps_left = STEPS_BETWEEN_BOUNDS;
-                let choice = Choice::of(bound(&view.system, &view.current), dt.to_f64());
+                let choice = Choice::of(bound(&view.system, view.system.plan.attached, &view.current), dt.to_f64());
                 self.choice = Some(choice);
                 choice.chosen
             }

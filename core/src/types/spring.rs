@@ -2,6 +2,8 @@
 
 use crate::Real;
 
+use super::AddSpringError;
+
 /// A linear spring between two particles, with damping along its axis.
 ///
 /// With d = x_j − x_i, l = |d|, d̂ = d/l and l̇ = (v_j − v_i)·d̂, it pulls particle i with
@@ -23,6 +25,19 @@ impl<R: Real> Spring<R> {
     #[must_use]
     pub fn new(between: [u32; 2], stiffness: R, rest_length: R) -> Self {
         Self { between, stiffness, damping: R::ZERO, rest_length }
+    }
+
+    /// Which of its parameters is negative or not finite, if any is.
+    #[cfg_attr(feature = "small", inline(never))]
+    pub(crate) fn wrong(&self) -> Option<AddSpringError<R>> {
+        let is_wrong = |value: R| !(value >= R::ZERO && value.is_finite());
+        if is_wrong(self.stiffness) {
+            return Some(AddSpringError::Stiffness(self.stiffness));
+        }
+        if is_wrong(self.damping) {
+            return Some(AddSpringError::Damping(self.damping));
+        }
+        is_wrong(self.rest_length).then_some(AddSpringError::RestLength(self.rest_length))
     }
 
     /// The same spring with another damping (N·s/m).

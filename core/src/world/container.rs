@@ -15,7 +15,7 @@ use super::view::{Springs, State, System, View, incidences_of, told};
 use crate::Real;
 use crate::lanes::{Lanes, Present};
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
-use crate::vectors::{at, difference, fetch, put, read, size};
+use crate::vectors::{ColumnsMut, at, difference, put, size, store};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
@@ -110,15 +110,8 @@ impl<R: Real, M: Storage> Container<R, M> {
         if first == second {
             return Err(AddSpringError::SameParticle(first));
         }
-        let valid = |value: R| value >= R::ZERO && value.is_finite();
-        if !valid(spring.stiffness) {
-            return Err(AddSpringError::Stiffness(spring.stiffness));
-        }
-        if !valid(spring.damping) {
-            return Err(AddSpringError::Damping(spring.damping));
-        }
-        if !valid(spring.rest_length) {
-            return Err(AddSpringError::RestLength(spring.rest_length));
+        if let Some(wrong) = spring.wrong() {
+            return Err(wrong);
         }
         let slots = spring.between.map(|particle| at(self.particles.slot_of.items(), particle));
         let number = self.springs.push(spring, slots)?;
@@ -135,9 +128,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     pub fn add_plane(&mut self, plane: Plane<R>) -> Result<u32, AddPlaneError<R>> {
         let number = self.planes.items().len() as u32;
         self.planes.push(plane).map_err(AddPlaneError::Full)?;
-        self.wake_all();
-        self.disturb();
-        self.is_current = false;
+        self.change_for_all();
         Ok(number)
     }
 
@@ -146,10 +137,9 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// # Errors
     /// If it is not finite.
     pub fn set_gravity(&mut self, gravity: impl Into<R::Vec3>) -> Result<(), SetError> {
-        self.gravity = carried::<R>(gravity.into()).ok_or(SetError::NotFinite)?.map(|(value, _)| value);
-        self.wake_all();
-        self.disturb();
-        self.is_current = false;
+        let gravity = carried::<R>(gravity.into()).ok_or(SetError::NotFinite)?;
+        self.gravity = values::<R>(gravity);
+        self.change_for_all();
         Ok(())
     }
 
@@ -158,13 +148,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// # Errors
     /// If there is no such particle, or the position is not finite.
     pub fn set_position(&mut self, particle: u32, position: impl Into<R::Vec3>) -> Result<(), SetError> {
-        let slot = self.slot(particle)?;
-        let position = carried::<R>(position.into()).ok_or(SetError::NotFinite)?;
-        let [mut positions, _] = self.current_mut().apart();
-        positions.store(slot, position);
-        self.wake(slot);
-        self.disturb();
-        Ok(())
+        self.set_state(particle, Some(position.into()), None)
     }
 
     /// Gives a particle another velocity (m/s). This is how a kinematic particle is moved; a pinned one becomes
@@ -173,13 +157,7 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// # Errors
     /// If there is no such particle, or the velocity is not finite.
     pub fn set_velocity(&mut self, particle: u32, velocity: impl Into<R::Vec3>) -> Result<(), SetError> {
-        let slot = self.slot(particle)?;
-        let velocity = carried::<R>(velocity.into()).ok_or(SetError::NotFinite)?;
-        let [_, mut velocities] = self.current_mut().apart();
-        velocities.store(slot, velocity);
-        self.wake(slot);
-        self.disturb();
-        Ok(())
+        self.set_state(particle, None, Some(velocity.into()))
     }
 
     /// Puts a kinematic particle where it should be (m) with the velocity it should have (m/s).
@@ -195,21 +173,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         position: impl Into<R::Vec3>,
         velocity: impl Into<R::Vec3>,
     ) -> Result<(), SetError> {
-        let slot = self.slot(particle)?;
-        let (Some(position), Some(velocity)) = (carried::<R>(position.into()), carried::<R>(velocity.into())) else {
-            return Err(SetError::NotFinite);
-        };
-        let [mut positions, mut velocities] = self.current_mut().apart();
-        let [former_position, former_velocity] =
-            [fetch(read(&positions.value), slot), fetch(read(&velocities.value), slot)];
-        positions.store(slot, position);
-        velocities.store(slot, velocity);
-        let [position, velocity] = [position, velocity].map(|vector| vector.map(|(value, _)| value));
-        if velocity != former_velocity || displaced(former_position, position) {
-            self.wake(slot);
-            self.disturb();
-        }
-        Ok(())
+        self.set_state(particle, Some(position.into()), Some(velocity.into()))
     }
 
     /// Pins a particle, lets it go, or makes it kinematic. A particle that is pinned loses its velocity.
@@ -227,11 +191,10 @@ impl<R: Real, M: Storage> Container<R, M> {
             self.is_laid_out = false;
         }
         if hold == Hold::Pinned {
-            let [_, mut velocities] = self.current_mut().apart();
-            velocities.store(slot, [(R::ZERO, R::NO_RESIDUAL); 3]);
+            let mut state = self.current_mut();
+            set::<R>(&mut state.velocity, &mut state.velocity_residual, slot, [(R::ZERO, R::NO_RESIDUAL); 3]);
         }
-        self.wake(slot);
-        self.disturb();
+        self.change_of(slot);
         self.is_current = false;
         Ok(())
     }
@@ -419,6 +382,46 @@ impl<R: Real, M: Storage> Container<R, M> {
         if self.front == 0 { a.lend() } else { b.lend() }
     }
 
+    /// Gives a particle the position and the velocity that are told. Where both are, it may be the motion that it is in.
+    fn set_state(
+        &mut self,
+        particle: u32,
+        position: Option<R::Vec3>,
+        velocity: Option<R::Vec3>,
+    ) -> Result<(), SetError> {
+        let slot = self.slot(particle)?;
+        let mut state = self.current_mut();
+        let former = [state.carried_position().fetch(slot), state.carried_velocity().fetch(slot)];
+        let [mut new_position, mut new_velocity] = former;
+        if !(carry_if_told::<R>(position, &mut new_position) && carry_if_told::<R>(velocity, &mut new_velocity)) {
+            return Err(SetError::NotFinite);
+        }
+        set::<R>(&mut state.position, &mut state.position_residual, slot, new_position);
+        set::<R>(&mut state.velocity, &mut state.velocity_residual, slot, new_velocity);
+        let [former_position, former_velocity] = former;
+        let is_same = position.is_some()
+            && velocity.is_some()
+            && values::<R>(new_velocity) == values::<R>(former_velocity)
+            && !displaced(values::<R>(former_position), values::<R>(new_position));
+        if !is_same {
+            self.change_of(slot);
+        }
+        Ok(())
+    }
+
+    /// Something has changed that all particles feel.
+    fn change_for_all(&mut self) {
+        self.wake_all();
+        self.disturb();
+        self.is_current = false;
+    }
+
+    /// A particle has changed.
+    fn change_of(&mut self, slot: u32) {
+        self.wake(slot);
+        self.disturb();
+    }
+
     /// Touches a particle: the island that it belongs to, and those that hang on it, wake.
     fn wake(&mut self, slot: u32) {
         if let Some(Dormancy { touch, .. }) = self.sleep
@@ -455,8 +458,36 @@ fn displaced<R: Real>(before: [R; 3], after: [R; 3]) -> bool {
     size(difference(before, after)) > R::from_f64(64.0) * R::EPSILON * reach
 }
 
+/// A vector as it is carried: numbers with their residuals.
+type CarriedVector<R> = [(R, <R as Real>::Residual); 3];
+
 /// A vector as it is carried; nothing if it is not finite so.
-fn carried<R: Real>(vector: R::Vec3) -> Option<[(R, R::Residual); 3]> {
-    let carried = vector.into().map(R::carry);
-    carried.iter().all(|(value, _)| value.is_finite()).then_some(carried)
+fn carried<R: Real>(vector: R::Vec3) -> Option<CarriedVector<R>> {
+    let mut carried = const { [(R::ZERO, R::NO_RESIDUAL); 3] };
+    carry_if_told::<R>(Some(vector), &mut carried).then_some(carried)
+}
+
+/// Carries a vector if there is one, and tells whether it is finite then.
+fn carry_if_told<R: Real>(vector: Option<R::Vec3>, to: &mut CarriedVector<R>) -> bool {
+    if let Some(vector) = vector {
+        let [x, y, z] = vector.into();
+        *to = [R::carry(x), R::carry(y), R::carry(z)];
+    }
+    values::<R>(*to).iter().all(|value| value.is_finite())
+}
+
+/// Without its residuals.
+fn values<R: Real>([(x, _), (y, _), (z, _)]: CarriedVector<R>) -> [R; 3] {
+    [x, y, z]
+}
+
+/// Sets the vector of a slot.
+fn set<R: Real>(
+    value: &mut ColumnsMut<'_, R>,
+    residual: &mut ColumnsMut<'_, R::Residual>,
+    slot: u32,
+    [(x, u), (y, v), (z, w)]: CarriedVector<R>,
+) {
+    store(value, slot, [x, y, z]);
+    store(residual, slot, [u, v, w]);
 }

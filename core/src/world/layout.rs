@@ -5,7 +5,7 @@ use super::view::State;
 use crate::Real;
 use crate::carried::Carried;
 use crate::types::{AddParticleError, AddSpringError, Full, Hold, Particle, Spring};
-use crate::vectors::ColumnsMut;
+use crate::vectors::{Columns, ColumnsMut};
 
 /// One spring as one of its particles sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,17 +85,11 @@ impl<R: Real, M: Storage> StateColumns<R, M> {
     };
 
     pub fn position(&self) -> Carried<'_, R> {
-        Carried {
-            value: self.position.each_ref().map(Column::items),
-            residual: self.position_residual.each_ref().map(Column::items),
-        }
+        Carried { value: items(&self.position), residual: items(&self.position_residual) }
     }
 
     pub fn velocity(&self) -> Carried<'_, R> {
-        Carried {
-            value: self.velocity.each_ref().map(Column::items),
-            residual: self.velocity_residual.each_ref().map(Column::items),
-        }
+        Carried { value: items(&self.velocity), residual: items(&self.velocity_residual) }
     }
 
     #[cfg_attr(feature = "compact", inline(never))]
@@ -110,9 +104,10 @@ impl<R: Real, M: Storage> StateColumns<R, M> {
 
     /// Makes room for so many particles.
     pub fn fit(&mut self, count: usize) -> Result<(), Full> {
-        self.position.iter_mut().chain(&mut self.velocity).try_for_each(|column| column.fit(count))?;
-        let residuals = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
-        residuals.into_iter().try_for_each(|column| column.fit(count))
+        fit(&mut self.position, count)?;
+        fit(&mut self.velocity, count)?;
+        fit(&mut self.position_residual, count)?;
+        fit(&mut self.velocity_residual, count)
     }
 
     /// Nothing where there is no room.
@@ -129,12 +124,24 @@ fn push<R: Real, M: Storage>(
     residuals: &mut [M::Particles<R::Residual>; 3],
     vector: R::Vec3,
 ) -> Option<()> {
-    for ((column, residuals), coordinate) in columns.iter_mut().zip(residuals).zip(vector.into()) {
-        let (value, residual) = R::carry(coordinate);
+    let coordinates: [R::Coordinate; 3] = vector.into();
+    for ((column, residuals), coordinate) in columns.iter_mut().zip(residuals).zip(&coordinates) {
+        let (value, residual) = R::carry(*coordinate);
         column.push(value).ok()?;
         residuals.push(residual).ok()?;
     }
     Some(())
+}
+
+fn fit<T: Copy + Default, C: Column<T>>(columns: &mut [C; 3], count: usize) -> Result<(), Full> {
+    for column in columns {
+        column.fit(count)?;
+    }
+    Ok(())
+}
+
+fn items<T: Copy, C: Column<T>>([x, y, z]: &[C; 3]) -> Columns<'_, T> {
+    [x.items(), y.items(), z.items()]
 }
 
 fn items_mut<T: Copy, C: Column<T>>([x, y, z]: &mut [C; 3]) -> ColumnsMut<'_, T> {

@@ -143,6 +143,15 @@ pub fn told<R: Real>(columns: Carried<'_, R>, slot: u32) -> R::Vec3 {
     columns.fetch(slot).map(|(value, residual)| value.told(residual)).into()
 }
 
+/// Positions and velocities as they are told at the surface, in the order of the particles' numbers.
+pub fn states_of<'a, R: Real>(
+    position: Carried<'a, R>,
+    velocity: Carried<'a, R>,
+    slot_of: &'a [u32],
+) -> impl Iterator<Item = (R::Vec3, R::Vec3)> + use<'a, R> {
+    slot_of.iter().map(move |slot| (told(position, *slot), told(velocity, *slot)))
+}
+
 /// Springs, and the springs of each slot.
 #[derive(Clone, Copy)]
 pub struct Springs<'a, R> {
@@ -310,8 +319,7 @@ impl<'a, R: Real> View<'a, R> {
 
     /// Where all particles are (m) and how fast they move (m/s), in the order of their numbers.
     pub fn states(&self) -> impl Iterator<Item = (R::Vec3, R::Vec3)> {
-        let (position, velocity) = (self.current.carried_position(), self.current.carried_velocity());
-        self.slot_of.iter().map(move |slot| (told(position, *slot), told(velocity, *slot)))
+        states_of(self.current.carried_position(), self.current.carried_velocity(), self.slot_of)
     }
 
     /// The same world without the particles in free flight, which nothing that springs pull at depends on.

@@ -97,6 +97,15 @@ impl Arena {
         if bytes == 0 { 0 } else { bytes.saturating_add(spare) }
     }
 
+    /// The same of several columns: so many, of so many items, of so many bytes each.
+    pub fn bytes_of_all(columns: &[(usize, usize, usize)]) -> usize {
+        let mut bytes: usize = 0;
+        for (count, items, size) in columns {
+            bytes = bytes.saturating_add(Self::bytes_of(*items, *size).saturating_mul(*count));
+        }
+        bytes
+    }
+
     /// The address of so many bytes.
     fn take(&self, bytes: usize) -> Option<usize> {
         if self.counts {
@@ -142,43 +151,48 @@ impl Storage for InArena {
 /// One column, with an item for each particle, spring or plane.
 #[derive(Debug)]
 pub struct ArenaColumn<T, const OF: usize> {
-    items: NonNull<T>,
-    length: usize,
-    capacity: usize,
+    stretch: Stretch,
     owns: PhantomData<T>,
 }
 
-impl<T: Copy, const OF: usize> ArenaColumn<T, OF> {
-    /// Makes room for so many items in all.
-    fn reach(&mut self, length: usize) -> Result<(), Full> {
-        if length <= self.capacity {
-            return Ok(());
-        }
-        let full = Full { capacity: self.capacity };
-        if size_of::<T>() == 0 {
-            self.capacity = usize::MAX;
-            return Ok(());
-        }
-        current::arena(|arena| self.reach_in(arena, length)).flatten().ok_or(full)
+/// A stretch of memory for items of some size: what is the same for columns of whatever.
+#[derive(Debug)]
+struct Stretch {
+    start: NonNull<u8>,
+    /// How many items have been written there.
+    length: usize,
+    /// How many have room.
+    capacity: usize,
+}
+
+/// Items as a [`Stretch`] has to know them.
+#[derive(Clone, Copy, Debug)]
+struct Kind {
+    /// Bytes of one.
+    size: usize,
+    /// Which of a [`Capacity`].
+    of: usize,
+}
+
+impl Stretch {
+    /// Makes room for so many items in all, and tells whether there is.
+    fn reach(&mut self, kind: Kind, length: usize) -> bool {
+        length <= self.capacity || current::arena(|arena| self.reach_in(arena, kind, length)).flatten().is_some()
     }
 
-    fn reach_in(&mut self, arena: &Arena, length: usize) -> Option<()> {
-        let size = size_of::<T>();
-        if align_of::<T>() > ALIGNMENT {
-            return None;
-        }
+    fn reach_in(&mut self, arena: &Arena, Kind { size, of }: Kind, length: usize) -> Option<()> {
         if let Some(capacity) = arena.capacity {
-            let most = capacity.of.get(OF).copied().unwrap_or_default();
+            let most = capacity.of.get(of).copied().unwrap_or_default();
             // A world's columns are made once, for all that they are to hold.
             if self.capacity > 0 || length > most {
                 return None;
             }
-            self.items = NonNull::new(arena.take(most.checked_mul(size)?)? as *mut T)?;
+            self.start = NonNull::new(arena.take(most.checked_mul(size)?)? as *mut u8)?;
             self.capacity = most;
             return Some(());
         }
         let more = (length - self.capacity).checked_mul(size)?;
-        if self.capacity > 0 && arena.extend(self.items.as_ptr() as usize + self.capacity * size, more) {
+        if self.capacity > 0 && arena.extend(self.start.as_ptr() as usize + self.capacity * size, more) {
             self.capacity = length;
             return Some(());
         }
@@ -188,12 +202,51 @@ impl<T: Copy, const OF: usize> ArenaColumn<T, OF> {
         if arena.counts {
             return Some(());
         }
-        let items = NonNull::new(start as *mut T)?;
+        let start = NonNull::new(start as *mut u8)?;
         // SAFETY: the first so many items have been written, and those at the new place are memory of their own.
-        unsafe { core::ptr::copy_nonoverlapping(self.items.as_ptr(), items.as_ptr(), self.length) };
-        self.items = items;
+        unsafe { core::ptr::copy_nonoverlapping(self.start.as_ptr(), start.as_ptr(), self.length * size) };
+        self.start = start;
         self.capacity = capacity;
         Some(())
+    }
+
+    /// Makes it so many items long, and tells whether there is room: new ones are copies of one.
+    ///
+    /// # Safety
+    /// The one must be there to be read, outside of this stretch.
+    unsafe fn fit(&mut self, kind: Kind, length: usize, one: *const u8) -> bool {
+        if !self.reach(kind, length) {
+            return false;
+        }
+        // Where memory is only counted, there is none.
+        let length = length.min(self.capacity);
+        let missing = length.saturating_sub(self.length) * kind.size;
+        let mut written = kind.size.min(missing);
+        // SAFETY: the places are within the stretch, from the end of its items on; every copy is of what is before it.
+        unsafe {
+            let start = self.start.as_ptr().add(self.length * kind.size);
+            core::ptr::copy_nonoverlapping(one, start, written);
+            while written < missing {
+                let more = written.min(missing - written);
+                core::ptr::copy_nonoverlapping(start, start.add(written), more);
+                written += more;
+            }
+        }
+        self.length = length;
+        true
+    }
+}
+
+impl<T: Copy, const OF: usize> ArenaColumn<T, OF> {
+    /// Makes it so many items long, and tells whether there is room: new ones are copies of `item`.
+    fn fit_with(&mut self, length: usize, item: &T) -> bool {
+        if size_of::<T>() == 0 {
+            self.stretch.length = length;
+            return true;
+        }
+        let kind = Kind { size: size_of::<T>(), of: OF };
+        // SAFETY: the item is borrowed, and the memory of a column is its alone.
+        align_of::<T>() <= ALIGNMENT && unsafe { self.stretch.fit(kind, length, (&raw const *item).cast()) }
     }
 }
 
@@ -211,39 +264,28 @@ impl<T: Copy, const OF: usize> Clone for ArenaColumn<T, OF> {
 }
 
 impl<T: Copy, const OF: usize> Column<T> for ArenaColumn<T, OF> {
-    const EMPTY: Self = Self { items: NonNull::dangling(), length: 0, capacity: 0, owns: PhantomData };
+    const EMPTY: Self =
+        Self { stretch: Stretch { start: NonNull::<T>::dangling().cast(), length: 0, capacity: 0 }, owns: PhantomData };
 
     fn items(&self) -> &[T] {
         // SAFETY: so many items have been written there, to memory that is this column's alone.
-        unsafe { core::slice::from_raw_parts(self.items.as_ptr(), self.length) }
+        unsafe { core::slice::from_raw_parts(self.stretch.start.as_ptr().cast(), self.stretch.length) }
     }
 
     fn items_mut(&mut self) -> &mut [T] {
         // SAFETY: as above, and the column is borrowed for as long.
-        unsafe { core::slice::from_raw_parts_mut(self.items.as_ptr(), self.length) }
+        unsafe { core::slice::from_raw_parts_mut(self.stretch.start.as_ptr().cast(), self.stretch.length) }
     }
 
     fn push(&mut self, item: T) -> Result<(), T> {
-        self.reach(self.length + 1).map_err(|_| item)?;
-        if self.length < self.capacity {
-            // SAFETY: the place is within the column's memory.
-            unsafe { self.items.as_ptr().add(self.length).write(item) };
-            self.length += 1;
-        }
-        Ok(())
+        if self.fit_with(self.stretch.length + 1, &item) { Ok(()) } else { Err(item) }
     }
 
     fn fit(&mut self, length: usize) -> Result<(), Full>
     where
         T: Default,
     {
-        self.reach(length)?;
-        let length = length.min(self.capacity);
-        for place in self.length..length {
-            // SAFETY: the place is within the column's memory.
-            unsafe { self.items.as_ptr().add(place).write(T::default()) };
-        }
-        self.length = length;
-        Ok(())
+        let is_fit = self.fit_with(length, &T::default());
+        if is_fit { Ok(()) } else { Err(Full { capacity: self.stretch.capacity }) }
     }
 }

@@ -2,7 +2,7 @@
 #![allow(unsafe_code, reason = "worlds and arrays are pointers of the caller's")]
 
 use crate::arena::{Arena, Capacity};
-use crate::code::{HOOKE_NOBODY, HookeCode, Outcome};
+use crate::code::{HOOKE_NOBODY, HookeCode, Outcome, Wrong};
 use crate::current;
 use crate::engine::{Engine, home_bytes};
 use crate::options::HookePrecision;
@@ -103,15 +103,13 @@ pub unsafe fn create(
 /// one call at a time is let in, nobody but a call that is under way.
 pub unsafe fn with(world: *mut HookeWorld, task: impl FnOnce(&mut AnyEngine) -> Outcome) -> HookeCode {
     // SAFETY: as the caller says.
-    let done = unsafe {
-        with_whole(world, |HookeWorld { culprit, engine, .. }| {
-            task(engine).map_err(|wrong| {
-                *culprit = wrong.number;
-                wrong.code
-            })
-        })
-    };
-    done.flatten().err().unwrap_or(HookeCode::Ok)
+    if let Err(code) = unsafe { enter(world) } {
+        return code;
+    }
+    // SAFETY: a world has been made here, and nobody else uses it.
+    let outcome = task(unsafe { &mut (*world).engine });
+    // SAFETY: as above.
+    unsafe { leave(world, outcome) }
 }
 
 /// The number of what the last error of a world was about; that of nobody while a call is under way that keeps others out.
@@ -119,8 +117,15 @@ pub unsafe fn with(world: *mut HookeWorld, task: impl FnOnce(&mut AnyEngine) -> 
 /// # Safety
 /// As for [`with`].
 pub unsafe fn culprit(world: *const HookeWorld) -> u32 {
+    let mut culprit = HOOKE_NOBODY;
     // SAFETY: as the caller says; it is only read.
-    unsafe { with_whole(world.cast_mut(), |world| world.culprit) }.unwrap_or(HOOKE_NOBODY)
+    unsafe {
+        if enter(world.cast_mut()).is_ok() {
+            culprit = (*world).culprit;
+            current::end();
+        }
+    }
+    culprit
 }
 
 /// Ends a world: its memory is the caller's again, and its address is refused from now on.
@@ -129,24 +134,46 @@ pub unsafe fn culprit(world: *const HookeWorld) -> u32 {
 /// As for [`with`].
 pub unsafe fn destroy(world: *mut HookeWorld) -> HookeCode {
     // SAFETY: as the caller says.
-    unsafe { with_whole(world, |world| world.magic = 0) }.err().unwrap_or(HookeCode::Ok)
+    unsafe {
+        if let Err(code) = enter(world) {
+            return code;
+        }
+        (*world).magic = 0;
+        leave(world, Ok(()))
+    }
 }
 
-/// Enters, and only then has the world at an address: whoever comes while a call is under way is told so before.
+/// Begins a call with the world at an address, and only then looks whether there is one: whoever comes while a call is under
+/// way is told so before.
 ///
 /// # Safety
 /// As for [`with`].
-unsafe fn with_whole<T>(world: *mut HookeWorld, task: impl FnOnce(&mut HookeWorld) -> T) -> Result<T, HookeCode> {
-    check(world, 1, HOOKE_ALIGNMENT).map_err(|wrong| wrong.code)?;
-    let entered = current::enter(|| {
-        // SAFETY: it is aligned, and the caller says that it may be read.
-        if unsafe { (&raw const (*world).magic).read() } != MAGIC {
-            return Err(HookeCode::NotAWorld);
-        }
-        // SAFETY: a world has been made here, and nobody else uses it.
-        Ok(task(unsafe { &mut *world }))
-    });
-    entered.unwrap_or(Err(HookeCode::Busy))
+#[inline(never)]
+unsafe fn enter(world: *mut HookeWorld) -> Result<(), HookeCode> {
+    check(world, 1, HOOKE_ALIGNMENT).map_err(Wrong::code)?;
+    if !current::begin() {
+        return Err(HookeCode::Busy);
+    }
+    // SAFETY: it is aligned, and the caller says that it may be read.
+    if unsafe { (&raw const (*world).magic).read() } != MAGIC {
+        current::end();
+        return Err(HookeCode::NotAWorld);
+    }
+    Ok(())
+}
+
+/// Ends a call, and remembers what went wrong.
+///
+/// # Safety
+/// It must have been begun by [`enter`].
+#[inline(never)]
+unsafe fn leave(world: *mut HookeWorld, outcome: Outcome) -> HookeCode {
+    if let Err(wrong) = outcome {
+        // SAFETY: there is a world, which nobody else uses.
+        unsafe { (*world).culprit = wrong.number() };
+    }
+    current::end();
+    outcome.err().map_or(HookeCode::Ok, Wrong::code)
 }
 
 /// So many items of the caller's.
@@ -162,16 +189,13 @@ pub unsafe fn items<'a, T>(pointer: *const T, count: usize) -> Outcome<&'a [T]> 
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
-/// The same; nothing where the pointer is null.
+/// The same; none where the pointer is null.
 ///
 /// # Safety
 /// As for [`items`].
-pub unsafe fn items_if_any<'a, T>(pointer: *const T, count: usize) -> Outcome<Option<&'a [T]>> {
-    if pointer.is_null() {
-        return Ok(None);
-    }
+pub unsafe fn items_if_any<'a, T>(pointer: *const T, count: usize) -> Outcome<&'a [T]> {
     // SAFETY: as the caller says.
-    unsafe { items(pointer, count) }.map(Some)
+    unsafe { items(pointer, if pointer.is_null() { 0 } else { count }) }
 }
 
 /// So many items of the caller's, to be written.
@@ -187,29 +211,48 @@ pub unsafe fn items_mut<'a, T>(pointer: *mut T, count: usize) -> Outcome<&'a mut
     Ok(unsafe { core::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// Writes a result where the caller wants it; a null pointer is one who does not.
+/// The same; none where the pointer is null.
 ///
 /// # Safety
 /// As for [`items_mut`].
-pub unsafe fn write_if_asked<T>(pointer: *mut T, value: T) -> Outcome {
-    if pointer.is_null() {
-        return Ok(());
-    }
+pub unsafe fn items_mut_if_any<'a, T>(pointer: *mut T, count: usize) -> Outcome<&'a mut [T]> {
+    // SAFETY: as the caller says.
+    unsafe { items_mut(pointer, if pointer.is_null() { 0 } else { count }) }
+}
+
+/// Writes a result.
+///
+/// # Safety
+/// As for [`items_mut`].
+pub unsafe fn write<T>(pointer: *mut T, value: T) -> Outcome {
     check(pointer, 1, align_of::<T>())?;
     // SAFETY: it is neither null nor misaligned, and the caller says that it may be written.
     unsafe { pointer.write(value) };
     Ok(())
 }
 
+/// Writes a result where the caller wants it; a null pointer is one who does not.
+///
+/// # Safety
+/// As for [`items_mut`].
+pub unsafe fn write_if_asked<T>(pointer: *mut T, value: T) -> Outcome {
+    // SAFETY: as the caller says.
+    if pointer.is_null() { Ok(()) } else { unsafe { write(pointer, value) } }
+}
+
 fn check<T>(pointer: *const T, count: usize, alignment: usize) -> Outcome {
-    let address = pointer as usize;
-    if pointer.is_null() {
+    check_bytes(pointer as usize, count, size_of::<T>(), alignment)
+}
+
+#[inline(never)]
+fn check_bytes(address: usize, count: usize, size: usize, alignment: usize) -> Outcome {
+    if address == 0 {
         return Err(HookeCode::NullPointer.into());
     }
     if !address.is_multiple_of(alignment) {
         return Err(HookeCode::Misaligned.into());
     }
-    let bytes = count.checked_mul(size_of::<T>()).filter(|bytes| *bytes <= isize::MAX as usize);
+    let bytes = count.checked_mul(size).filter(|bytes| *bytes <= isize::MAX as usize);
     let is_there = bytes.and_then(|bytes| address.checked_add(bytes)).is_some();
     if is_there { Ok(()) } else { Err(HookeCode::Length.into()) }
 }

@@ -1,7 +1,9 @@
 //! What can be wrong with a call, by number and in words.
 
 use core::ffi::CStr;
+use core::num::NonZero;
 
+use crate::options::numbered;
 use hooke::{AddParticleError, AddPlaneError, AddSpringError, Full, Real, SetError, StepError};
 
 /// What a call came to. After any but `OK` what the call was to change is as it was.
@@ -65,15 +67,69 @@ pub enum HookeCode {
 /// Where there is no particle, spring or plane to name.
 pub const HOOKE_NOBODY: u32 = u32::MAX;
 
+numbered!(HookeCode {
+    Ok,
+    NullPointer,
+    Misaligned,
+    TooSmall,
+    NotAWorld,
+    NoSuchOption,
+    Full,
+    NoSuchParticle,
+    NoSuchSpring,
+    NoSuchPlane,
+    SameParticle,
+    Mass,
+    NotFinite,
+    Stiffness,
+    Damping,
+    RestLength,
+    Normal,
+    Restitution,
+    TimeStep,
+    Tolerance,
+    Damped,
+    Workspace,
+    NonFinite,
+    Length,
+    Snapshot,
+    Busy
+});
+
 /// A code, and the number of the particle, spring or plane that it is about.
+///
+/// They are one word together, and so is an [`Outcome`]: it is handed on as it is, whatever it says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wrong {
-    pub code: HookeCode,
-    pub number: u32,
-}
+pub struct Wrong(NonZero<u64>);
 
 /// What came of something.
 pub type Outcome<T = ()> = Result<T, Wrong>;
+
+impl Wrong {
+    /// The number above the code; the lowest bit makes it more than 0.
+    fn of(code: u32, number: u32) -> Self {
+        Self(NonZero::<u64>::MIN | (u64::from(number) << 32) | (u64::from(code) << 1))
+    }
+
+    fn code_number(self) -> u32 {
+        self.0.get() as u32 >> 1
+    }
+
+    /// What is wrong.
+    pub fn code(self) -> HookeCode {
+        HookeCode::numbered(self.code_number()).unwrap_or(HookeCode::Ok)
+    }
+
+    /// Whom it is about.
+    pub fn number(self) -> u32 {
+        (self.0.get() >> 32) as u32
+    }
+
+    /// The same about another particle, spring or plane.
+    pub fn about(self, number: u32) -> Self {
+        Self::of(self.code_number(), number)
+    }
+}
 
 impl HookeCode {
     /// In words.
@@ -111,13 +167,13 @@ impl HookeCode {
 
     /// About a particle, a spring or a plane.
     pub fn about(self, number: u32) -> Wrong {
-        Wrong { code: self, number }
+        Wrong::of(self as u32, number)
     }
 }
 
 impl From<HookeCode> for Wrong {
     fn from(code: HookeCode) -> Self {
-        Self { code, number: HOOKE_NOBODY }
+        code.about(HOOKE_NOBODY)
     }
 }
 

@@ -1,5 +1,5 @@
 //! The arena that columns grow in now: one a thread, or one in all where there is no operating system to tell threads
-//! apart. There, [`enter`] keeps a second call out while one is under way.
+//! apart. There, [`begin`] keeps a second call out while one is under way.
 #![allow(unsafe_code, reason = "the current arena is a pointer to one that outlives the task it is lent to")]
 
 use core::cell::Cell;
@@ -43,10 +43,13 @@ mod place {
         }
     }
 
-    /// Runs a call.
-    pub fn enter<T>(call: impl FnOnce() -> T) -> Option<T> {
-        Some(call())
+    /// Begins a call.
+    pub fn begin() -> bool {
+        true
     }
+
+    /// Ends it.
+    pub fn end() {}
 }
 
 #[cfg(not(feature = "std"))]
@@ -69,30 +72,26 @@ mod place {
         }
     }
 
-    /// Runs a call, unless another one is under way.
-    pub fn enter<T>(call: impl FnOnce() -> T) -> Option<T> {
-        if !begin() {
-            return None;
-        }
-        let result = call();
-        IS_BUSY.store(false, Ordering::Release);
-        Some(result)
-    }
-
+    /// Begins a call, unless another one is under way.
     #[cfg(target_has_atomic = "8")]
-    fn begin() -> bool {
+    pub fn begin() -> bool {
         !IS_BUSY.swap(true, Ordering::Acquire)
     }
 
-    /// One core without an exchange: what interrupts this between the two lines is done before the second.
+    /// The same, on one core without an exchange: what interrupts this between the two lines is done before the second.
     #[cfg(not(target_has_atomic = "8"))]
-    fn begin() -> bool {
+    pub fn begin() -> bool {
         let is_free = !IS_BUSY.load(Ordering::Acquire);
         if is_free {
             IS_BUSY.store(true, Ordering::Release);
         }
         is_free
     }
+
+    /// Ends it.
+    pub fn end() {
+        IS_BUSY.store(false, Ordering::Release);
+    }
 }
 
-pub use place::enter;
+pub use place::{begin, end};

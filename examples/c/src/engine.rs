@@ -35,33 +35,24 @@ pub struct Choices {
     pub may_do_without_factor: bool,
 }
 
-/// A spring as it is handed over.
-#[derive(Clone, Copy, Debug)]
-pub struct SpringGiven {
-    pub between: [u32; 2],
-    pub stiffness: f64,
-    pub damping: f64,
-    pub rest_length: f64,
-}
+/// What a spring pulls by: its stiffness (N/m), damping (N s/m) and rest length (m).
+pub type Parameters = [f64; 3];
 
 /// What columns of a world take at most, bytes.
 pub fn home_bytes(real: usize, capacity: Capacity) -> usize {
     let [particles, springs, planes] = capacity.of;
-    let columns = |count: usize, items: usize, size: usize| Arena::bytes_of(items, size).saturating_mul(count);
     // As in the core's `layout.rs`: 14 reals, three words and a byte a particle; three reals, 34 bytes a spring.
-    [
-        columns(14, particles, real),
-        columns(3, particles, 4),
-        columns(1, particles, 1),
-        columns(3, springs, real),
-        columns(2, springs, 4),
-        columns(1, springs, 8),
-        columns(1, springs, 16),
-        columns(1, springs, 2),
-        columns(1, planes, 5 * real),
-    ]
-    .into_iter()
-    .fold(0, usize::saturating_add)
+    Arena::bytes_of_all(&[
+        (14, particles, real),
+        (3, particles, 4),
+        (1, particles, 1),
+        (3, springs, real),
+        (2, springs, 4),
+        (1, springs, 8),
+        (1, springs, 16),
+        (1, springs, 2),
+        (1, planes, 5 * real),
+    ])
 }
 
 impl<R: Real> Engine<R> {
@@ -113,42 +104,43 @@ impl<R: Real> Engine<R> {
         self.renew();
     }
 
-    pub fn add_particle(&mut self, state: [[f64; 3]; 2], mass: f64, hold: HookeHold) -> Outcome<u32> {
+    pub fn add_particle(
+        &mut self,
+        position: &[f64; 3],
+        velocity: &[f64; 3],
+        mass: f64,
+        hold: HookeHold,
+    ) -> Outcome<u32> {
         self.change();
-        let [position, velocity] = state.map(vector::<R>);
+        let (position, velocity) = (vector::<R>(position), vector::<R>(velocity));
         let particle = Particle { position, velocity, mass: R::from_f64(mass), hold: held(hold) };
         let Self { world, home, .. } = self;
         Ok(home.lend(|| world.add_particle(particle))?)
     }
 
-    pub fn add_spring(&mut self, spring: SpringGiven) -> Outcome<u32> {
+    pub fn add_spring(&mut self, between: [u32; 2], parameters: &Parameters) -> Outcome<u32> {
         self.change();
+        let spring = with_parameters(between, parameters);
         let Self { world, home, .. } = self;
-        let spring = Spring {
-            between: spring.between,
-            stiffness: R::from_f64(spring.stiffness),
-            damping: R::from_f64(spring.damping),
-            rest_length: R::from_f64(spring.rest_length),
-        };
         Ok(home.lend(|| world.add_spring(spring))?)
     }
 
-    pub fn add_plane(&mut self, point: [f64; 3], normal: [f64; 3], restitution: f64) -> Outcome<u32> {
+    pub fn add_plane(&mut self, point: &[f64; 3], normal: &[f64; 3], restitution: f64) -> Outcome<u32> {
         self.change();
         let plane = Plane::<R>::through(vector::<R>(point), vector::<R>(normal), R::from_f64(restitution))?;
         let Self { world, home, .. } = self;
         Ok(home.lend(|| world.add_plane(plane))?)
     }
 
-    pub fn set_gravity(&mut self, gravity: [f64; 3]) -> Outcome {
+    pub fn set_gravity(&mut self, gravity: &[f64; 3]) -> Outcome {
         Ok(self.world.set_gravity(vector::<R>(gravity))?)
     }
 
-    pub fn set_position(&mut self, particle: u32, position: [f64; 3]) -> Outcome {
+    pub fn set_position(&mut self, particle: u32, position: &[f64; 3]) -> Outcome {
         Ok(self.world.set_position(particle, vector::<R>(position))?)
     }
 
-    pub fn set_velocity(&mut self, particle: u32, velocity: [f64; 3]) -> Outcome {
+    pub fn set_velocity(&mut self, particle: u32, velocity: &[f64; 3]) -> Outcome {
         Ok(self.world.set_velocity(particle, vector::<R>(velocity))?)
     }
 
@@ -157,63 +149,54 @@ impl<R: Real> Engine<R> {
         Ok(self.world.set_hold(particle, held(hold))?)
     }
 
-    pub fn drive(&mut self, particle: u32, position: [f64; 3], velocity: [f64; 3]) -> Outcome {
-        let is_held = self.world.is_held(particle).ok_or(SetError::NoSuchParticle(particle))?;
-        let [position, velocity] = [position, velocity].map(vector::<R>);
-        self.world.drive(particle, position, velocity)?;
-        if !is_held {
+    pub fn drive(&mut self, particle: u32, position: &[f64; 3], velocity: &[f64; 3]) -> Outcome {
+        self.world.drive(particle, vector::<R>(position), vector::<R>(velocity))?;
+        if self.world.is_held(particle) == Some(false) {
             self.set_hold(particle, HookeHold::Kinematic)?;
         }
         Ok(())
     }
 
-    /// Gives springs other parameters: those of one, or of all.
-    pub fn set_springs(&mut self, which: Option<u32>, change: impl Fn(SpringGiven) -> SpringGiven) -> Outcome {
+    /// Gives one spring other parameters.
+    pub fn set_spring(&mut self, number: u32, parameters: &Parameters) -> Outcome {
         let [_, springs, _] = self.counts();
-        if let Some(number) = which.filter(|number| *number >= springs) {
+        if number >= springs {
             return Err(HookeCode::NoSuchSpring.about(number));
         }
-        self.set_numbered_springs(|number, spring| match which {
-            Some(which) if which != number => spring,
-            _ => change(spring),
+        self.change_springs(&|other, now| {
+            if other == number {
+                *now = *parameters;
+            }
         })
     }
 
-    /// Gives every spring the parameters that `change` makes of its number and of what it is.
-    pub fn set_numbered_springs(&mut self, change: impl Fn(u32, SpringGiven) -> SpringGiven) -> Outcome {
-        let changed = |number, spring: Spring<R>| {
-            let SpringGiven { between, stiffness, damping, rest_length } = change(
-                number,
-                SpringGiven {
-                    between: spring.between,
-                    stiffness: spring.stiffness.to_f64(),
-                    damping: spring.damping.to_f64(),
-                    rest_length: spring.rest_length.to_f64(),
-                },
-            );
-            let [stiffness, damping, rest_length] = [stiffness, damping, rest_length].map(R::from_f64);
-            Spring { between, stiffness, damping, rest_length }
-        };
+    /// Gives every spring the parameters that `change` makes of its number and of those that it has.
+    pub fn change_springs(&mut self, change: &dyn Fn(u32, &mut Parameters)) -> Outcome {
         self.prepared_for = None;
-        let outcome = self.world.change_springs(changed);
+        let outcome = self.world.change_springs(|number, spring| {
+            let mut parameters = parameters_of(&spring);
+            change(number, &mut parameters);
+            with_parameters(spring.between, &parameters)
+        });
         let Err(SetError::Spring(refused)) = outcome else { return Ok(outcome?) };
-        let spring = self.world.springs().find(|(number, _)| *number == refused);
-        let valid = |value: R| value >= R::ZERO && value.is_finite();
-        Err(match spring.map(|(number, spring)| changed(number, spring)) {
-            Some(spring) if !valid(spring.stiffness) => HookeCode::Stiffness,
-            Some(spring) if !valid(spring.damping) => HookeCode::Damping,
+        let mut parameters = self.spring(refused)?;
+        change(refused, &mut parameters);
+        let is_refused = |parameter: &f64| {
+            let rounded = R::from_f64(*parameter);
+            !(rounded >= R::ZERO && rounded.is_finite())
+        };
+        Err(match parameters.iter().position(is_refused) {
+            Some(0) => HookeCode::Stiffness,
+            Some(1) => HookeCode::Damping,
             _ => HookeCode::RestLength,
         }
         .about(refused))
     }
 
-    /// One of the springs.
-    pub fn spring(&self, number: u32) -> Outcome<SpringGiven> {
+    /// The parameters of one spring.
+    pub fn spring(&self, number: u32) -> Outcome<Parameters> {
         let found = self.world.springs().find(|(other, _)| *other == number);
-        let (_, Spring { between, stiffness, damping, rest_length }) =
-            found.ok_or(HookeCode::NoSuchSpring.about(number))?;
-        let [stiffness, damping, rest_length] = [stiffness, damping, rest_length].map(Real::to_f64);
-        Ok(SpringGiven { between, stiffness, damping, rest_length })
+        found.map(|(_, spring)| parameters_of(&spring)).ok_or(HookeCode::NoSuchSpring.about(number))
     }
 
     pub fn set_restitution(&mut self, plane: u32, restitution: f64) -> Outcome {
@@ -222,30 +205,39 @@ impl<R: Real> Engine<R> {
 
     /// Takes so many steps, or as many as can be taken.
     pub fn step(&mut self, dt: f64, count: u32, report: &mut HookeReport) -> Outcome {
+        self.pace.keep(dt, self.world.time());
+        let mut total = StepReport::default();
+        let (mut steps, mut without_factor) = (0, false);
+        let mut outcome = Ok(());
+        while steps < count && outcome.is_ok() {
+            outcome = self.step_once(dt, &mut total);
+            if outcome.is_ok() {
+                steps += 1;
+                without_factor = self.workspace.has_refused();
+            }
+        }
+        *report = HookeReport::of(&total, steps, self.world.time(), without_factor);
+        outcome
+    }
+
+    fn step_once(&mut self, dt: f64, total: &mut StepReport) -> Outcome {
         let Self { world, stepper, response, ledger, pace, prepared_for, workspace, choices, .. } = self;
         let length = R::from_f64(dt);
-        let mut total = StepReport::default();
-        pace.keep(dt, world.time());
-        *report = HookeReport::of(&total, 0, world.time(), false);
-        for steps in 0..count {
-            let taken: Outcome<StepReport> = workspace.lend(|| {
-                let mut view = world.view();
-                if *prepared_for != Some(dt) && length > R::ZERO && length.is_finite() {
-                    stepper.any().accept(view.plan())?;
-                    stepper.any().fit(view.plan())?;
-                    stepper.prepare(&view, length)?;
-                    if workspace.has_refused() && !choices.may_do_without_factor {
-                        return Err(HookeCode::Workspace.into());
-                    }
-                    *prepared_for = Some(dt);
+        workspace.lend(|| {
+            let mut view = world.view();
+            if *prepared_for != Some(dt) && length > R::ZERO && length.is_finite() {
+                stepper.any().accept(view.plan())?;
+                stepper.any().fit(view.plan())?;
+                stepper.prepare(&view, length)?;
+                if workspace.has_refused() && !choices.may_do_without_factor {
+                    return Err(HookeCode::Workspace.into());
                 }
-                Ok(view.step_to(stepper.any(), response, length, pace.next_end(), ledger)?)
-            });
-            total.add(&taken?);
+                *prepared_for = Some(dt);
+            }
+            total.add(&view.step_to(stepper.any(), response, length, pace.next_end(), ledger)?);
             pace.count += 1;
-            *report = HookeReport::of(&total, steps + 1, world.time(), workspace.has_refused());
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     pub fn time(&self) -> f64 {
@@ -258,10 +250,8 @@ impl<R: Real> Engine<R> {
     }
 
     /// Positions (m) and velocities (m/s), by number.
-    pub fn states(&self) -> impl ExactSizeIterator<Item = [[f64; 3]; 2]> {
-        let told = |vector: Option<R::Vec3>| vector.map_or([0.0; 3], |vector| vector.into().map(Real::to_f64));
-        (0..self.world.particle_count())
-            .map(move |number| [told(self.world.position(number)), told(self.world.velocity(number))])
+    pub fn states(&self) -> impl Iterator<Item = [[f64; 3]; 2]> {
+        self.world.states().map(|(position, velocity)| [numbers::<R>(position), numbers::<R>(velocity)])
     }
 
     /// Opens a ledger, or opens it anew.
@@ -297,8 +287,8 @@ impl<R: Real> Engine<R> {
         self.world.view().stability()
     }
 
-    pub fn digest(&mut self) -> u64 {
-        hooke_digest::of(&self.world.view())
+    pub fn digest(&self) -> u64 {
+        self.states().fold(hooke_digest::OF_NOTHING, hooke_digest::with)
     }
 }
 
@@ -316,8 +306,27 @@ fn carry(earlier: Option<&Balance>, now: &Balance) -> Balance {
 }
 
 /// A vector rounded to `R`.
-pub fn vector<R: Real>(vector: [f64; 3]) -> R::Vec3 {
-    vector.map(R::Coordinate::from_f64).into()
+fn vector<R: Real>([x, y, z]: &[f64; 3]) -> R::Vec3 {
+    [R::Coordinate::from_f64(*x), R::Coordinate::from_f64(*y), R::Coordinate::from_f64(*z)].into()
+}
+
+/// A vector of `R`.
+pub fn numbers<R: Real>(vector: R::Vec3) -> [f64; 3] {
+    let [x, y, z] = vector.into();
+    [x.to_f64(), y.to_f64(), z.to_f64()]
+}
+
+pub fn parameters_of<R: Real>(spring: &Spring<R>) -> Parameters {
+    [spring.stiffness.to_f64(), spring.damping.to_f64(), spring.rest_length.to_f64()]
+}
+
+fn with_parameters<R: Real>(between: [u32; 2], [stiffness, damping, rest_length]: &Parameters) -> Spring<R> {
+    Spring {
+        between,
+        stiffness: R::from_f64(*stiffness),
+        damping: R::from_f64(*damping),
+        rest_length: R::from_f64(*rest_length),
+    }
 }
 
 fn held(hold: HookeHold) -> Hold {

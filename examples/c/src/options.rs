@@ -5,11 +5,15 @@ macro_rules! numbered {
     ($name:ident { $($variant:ident),* }) => {
         impl $name {
             pub(crate) fn numbered(number: u32) -> Option<Self> {
-                [$(Self::$variant),*].into_iter().find(|choice| *choice as u32 == number)
+                match number {
+                    $(number if number == Self::$variant as u32 => Some(Self::$variant),)*
+                    _ => None,
+                }
             }
         }
     };
 }
+pub(crate) use numbered;
 
 /// What a world's numbers are.
 #[repr(u32)]

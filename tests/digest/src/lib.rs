@@ -8,9 +8,25 @@ use hooke::{Real, View};
 /// A 32-bit number is widened first: that is exact, and as telling.
 #[must_use]
 pub fn of<R: Real>(view: &View<'_, R>) -> u64 {
-    view.states().fold(0xcbf2_9ce4_8422_2325, |digest, (position, velocity)| {
+    view.states().fold(OF_NOTHING, |digest, (position, velocity)| {
         let [x, v]: [[R::Coordinate; 3]; 2] = [position.into(), velocity.into()];
-        let bytes = x.into_iter().chain(v).flat_map(|component| component.to_f64().to_bits().to_le_bytes());
-        bytes.fold(digest, |digest, byte| (digest ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+        with(digest, [x.map(Real::to_f64), v.map(Real::to_f64)])
     })
+}
+
+/// That of no particles.
+pub const OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// A digest with one particle more: its position (m) and its velocity (m/s).
+#[must_use]
+pub fn with(digest: u64, state: [[f64; 3]; 2]) -> u64 {
+    let mut digest = digest;
+    for component in state.as_flattened() {
+        let mut bits = component.to_bits();
+        for _ in 0..size_of_val(&bits) {
+            digest = (digest ^ (bits & 0xff)).wrapping_mul(0x0000_0100_0000_01b3);
+            bits >>= 8;
+        }
+    }
+    digest
 }

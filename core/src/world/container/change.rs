@@ -7,12 +7,20 @@ use crate::vectors::{at, put};
 use crate::world::clock::Clock;
 use crate::world::layout::SpringColumns;
 use crate::world::storage::{Column, Storage};
+use crate::world::view::states_of;
 
 impl<R: Real, M: Storage> Container<R, M> {
     /// How many particles there are.
     #[must_use]
     pub fn particle_count(&self) -> u32 {
         self.particles.count()
+    }
+
+    /// Where all particles are (m) and how fast they move (m/s), in the order of their numbers.
+    pub fn states(&self) -> impl Iterator<Item = (R::Vec3, R::Vec3)> {
+        let [a, b] = &self.particles.state;
+        let state = if self.front == 0 { a } else { b };
+        states_of(state.position(), state.velocity(), self.particles.slot_of.items())
     }
 
     /// All springs with their numbers, in no particular order.
@@ -57,12 +65,14 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// # Errors
     /// Naming the first spring whose new stiffness, damping or rest length is negative or not finite; none is changed then.
     pub fn change_springs(&mut self, change: impl Fn(u32, Spring<R>) -> Spring<R>) -> Result<(), SetError> {
-        let valid = |value: R| value >= R::ZERO && value.is_finite();
-        let refused = self
-            .springs()
-            .map(|(number, spring)| (number, change(number, spring)))
-            .filter(|(_, spring)| !(valid(spring.stiffness) && valid(spring.damping) && valid(spring.rest_length)));
-        if let Some(number) = refused.map(|(number, _)| number).min() {
+        let mut refused = None;
+        for place in 0..self.springs.count() {
+            let (number, spring) = self.spring_in(place);
+            if change(number, spring).wrong().is_some() && refused.is_none_or(|refused| number < refused) {
+                refused = Some(number);
+            }
+        }
+        if let Some(number) = refused {
             return Err(SetError::Spring(number));
         }
         for place in 0..self.springs.count() {
@@ -73,9 +83,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             put(damping.items_mut(), place, changed.damping);
             put(rest_length.items_mut(), place, changed.rest_length);
         }
-        self.wake_all();
-        self.disturb();
-        self.is_current = false;
+        self.change_for_all();
         Ok(())
     }
 
@@ -89,9 +97,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             return Err(SetError::Restitution);
         }
         found.restitution = restitution;
-        self.wake_all();
-        self.disturb();
-        self.is_current = false;
+        self.change_for_all();
         Ok(())
     }
 

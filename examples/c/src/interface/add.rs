@@ -6,7 +6,6 @@
 use super::chosen;
 use crate::block::{HookeWorld, engine, items, items_if_any, with, write_if_asked};
 use crate::code::{HOOKE_NOBODY, HookeCode};
-use crate::engine::SpringGiven;
 use crate::options::HookeHold;
 
 /// Adds a particle, at a position in m, with a velocity in m/s and a mass in kg. Its number is written to `number`: 0 for
@@ -29,7 +28,7 @@ pub unsafe extern "C" fn hooke_add_particle(
         with(world, |engine| {
             write_if_asked(number, HOOKE_NOBODY)?;
             let hold = chosen(HookeHold::numbered(hold))?;
-            let added = engine!(engine, engine => engine.add_particle([[x, y, z], [vx, vy, vz]], mass, hold))?;
+            let added = engine!(engine, engine => engine.add_particle(&[x, y, z], &[vx, vy, vz], mass, hold))?;
             write_if_asked(number, added)
         })
     }
@@ -52,15 +51,15 @@ pub unsafe extern "C" fn hooke_add_particles(
         with(world, |engine| {
             let length = count as usize;
             let position = items(position, 3 * length)?.as_chunks().0;
-            let velocity = items_if_any(velocity, 3 * length)?.map(|velocity| velocity.as_chunks().0);
+            let velocity = items_if_any(velocity, 3 * length)?.as_chunks().0;
             let (mass, hold) = (items_if_any(mass, length)?, items_if_any(hold, length)?);
             for (place, position) in position.iter().enumerate() {
-                let velocity = velocity.and_then(|velocity| velocity.get(place)).copied().unwrap_or_default();
-                let mass = mass.and_then(|mass| mass.get(place)).copied().unwrap_or(1.0);
-                let hold = hold.and_then(|hold| hold.get(place)).copied().unwrap_or_default();
+                let velocity = velocity.get(place).unwrap_or(&[0.0; 3]);
+                let mass = mass.get(place).copied().unwrap_or(1.0);
+                let hold = hold.get(place).copied().unwrap_or_default();
                 let added = chosen(HookeHold::numbered(hold))
-                    .and_then(|hold| engine!(engine, engine => engine.add_particle([*position, velocity], mass, hold)));
-                added.map_err(|wrong| wrong.code.about(place as u32))?;
+                    .and_then(|hold| engine!(engine, engine => engine.add_particle(position, velocity, mass, hold)));
+                added.map_err(|wrong| wrong.about(place as u32))?;
             }
             Ok(())
         })
@@ -83,8 +82,8 @@ pub unsafe extern "C" fn hooke_add_spring(
     unsafe {
         with(world, |engine| {
             write_if_asked(number, HOOKE_NOBODY)?;
-            let spring = SpringGiven { between: [first, second], stiffness, damping, rest_length };
-            let added = engine!(engine, engine => engine.add_spring(spring))?;
+            let parameters = [stiffness, damping, rest_length];
+            let added = engine!(engine, engine => engine.add_spring([first, second], &parameters))?;
             write_if_asked(number, added)
         })
     }
@@ -108,13 +107,11 @@ pub unsafe extern "C" fn hooke_add_springs(
             let between = items(between, 2 * length)?.as_chunks().0;
             let (stiffness, rest_length) = (items(stiffness, length)?, items(rest_length, length)?);
             let damping = items_if_any(damping, length)?;
-            let springs = between.iter().zip(stiffness.iter().zip(rest_length)).enumerate();
-            for (place, (between, (stiffness, rest_length))) in springs {
-                let damping = damping.and_then(|damping| damping.get(place)).copied().unwrap_or_default();
-                let (stiffness, rest_length) = (*stiffness, *rest_length);
-                let spring = SpringGiven { between: *between, stiffness, damping, rest_length };
-                let added = engine!(engine, engine => engine.add_spring(spring));
-                added.map_err(|wrong| wrong.code.about(place as u32))?;
+            for (place, between) in between.iter().enumerate() {
+                let told = |column: &[f64]| column.get(place).copied().unwrap_or_default();
+                let parameters = [told(stiffness), told(damping), told(rest_length)];
+                let added = engine!(engine, engine => engine.add_spring(*between, &parameters));
+                added.map_err(|wrong| wrong.about(place as u32))?;
             }
             Ok(())
         })
@@ -140,7 +137,7 @@ pub unsafe extern "C" fn hooke_add_plane(
         with(world, |engine| {
             write_if_asked(number, HOOKE_NOBODY)?;
             let (point, normal) = ([x, y, z], [normal_x, normal_y, normal_z]);
-            let added = engine!(engine, engine => engine.add_plane(point, normal, restitution))?;
+            let added = engine!(engine, engine => engine.add_plane(&point, &normal, restitution))?;
             write_if_asked(number, added)
         })
     }
@@ -158,7 +155,10 @@ pub unsafe extern "C" fn hooke_counts(
     unsafe {
         with(world, |engine| {
             let counts = engine!(engine, engine => engine.counts());
-            [particles, springs, planes].into_iter().zip(counts).try_for_each(|(to, count)| write_if_asked(to, count))
+            let [particle_count, spring_count, plane_count] = counts;
+            write_if_asked(particles, particle_count)?;
+            write_if_asked(springs, spring_count)?;
+            write_if_asked(planes, plane_count)
         })
     }
 }

@@ -6,14 +6,14 @@
 use super::chosen;
 use crate::block::{HookeWorld, engine, items_if_any, with, write_if_asked};
 use crate::code::HookeCode;
-use crate::engine::SpringGiven;
+use crate::engine::Parameters;
 use crate::options::HookeHold;
 
 /// Sets the gravitational acceleration, m/s^2.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn hooke_set_gravity(world: *mut HookeWorld, x: f64, y: f64, z: f64) -> HookeCode {
     // SAFETY: as the header says.
-    unsafe { with(world, |engine| engine!(engine, engine => engine.set_gravity([x, y, z]))) }
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_gravity(&[x, y, z]))) }
 }
 
 /// Puts a particle somewhere else (m).
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn hooke_set_position(
     z: f64,
 ) -> HookeCode {
     // SAFETY: as the header says.
-    unsafe { with(world, |engine| engine!(engine, engine => engine.set_position(particle, [x, y, z]))) }
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_position(particle, &[x, y, z]))) }
 }
 
 /// Gives a particle another velocity (m/s). A pinned particle becomes kinematic by it.
@@ -39,7 +39,7 @@ pub unsafe extern "C" fn hooke_set_velocity(
     z: f64,
 ) -> HookeCode {
     // SAFETY: as the header says.
-    unsafe { with(world, |engine| engine!(engine, engine => engine.set_velocity(particle, [x, y, z]))) }
+    unsafe { with(world, |engine| engine!(engine, engine => engine.set_velocity(particle, &[x, y, z]))) }
 }
 
 /// Pins a particle, lets it go, or makes it kinematic. One that is pinned loses its velocity.
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn hooke_drive(
     vz: f64,
 ) -> HookeCode {
     // SAFETY: as the header says.
-    unsafe { with(world, |engine| engine!(engine, engine => engine.drive(particle, [x, y, z], [vx, vy, vz]))) }
+    unsafe { with(world, |engine| engine!(engine, engine => engine.drive(particle, &[x, y, z], &[vx, vy, vz]))) }
 }
 
 /// Gives a spring other parameters: N/m, N s/m, m.
@@ -82,10 +82,7 @@ pub unsafe extern "C" fn hooke_set_spring(
 ) -> HookeCode {
     // SAFETY: as the header says.
     unsafe {
-        with(world, |engine| {
-            let change = |spring| SpringGiven { stiffness, damping, rest_length, ..spring };
-            engine!(engine, engine => engine.set_springs(Some(spring), change))
-        })
+        with(world, |engine| engine!(engine, engine => engine.set_spring(spring, &[stiffness, damping, rest_length])))
     }
 }
 
@@ -102,9 +99,10 @@ pub unsafe extern "C" fn hooke_spring(
     unsafe {
         with(world, |engine| {
             let found = engine!(engine, engine => engine.spring(spring))?;
-            write_if_asked(stiffness, found.stiffness)?;
-            write_if_asked(damping, found.damping)?;
-            write_if_asked(rest_length, found.rest_length)
+            let [found_stiffness, found_damping, found_rest_length] = found;
+            write_if_asked(stiffness, found_stiffness)?;
+            write_if_asked(damping, found_damping)?;
+            write_if_asked(rest_length, found_rest_length)
         })
     }
 }
@@ -128,17 +126,16 @@ pub unsafe extern "C" fn hooke_set_springs(
                 return Err(HookeCode::Length.into());
             }
             let length = count as usize;
-            let stiffness = items_if_any(stiffness, length)?;
-            let damping = items_if_any(damping, length)?;
-            let rest_length = items_if_any(rest_length, length)?;
-            let told = |column: Option<&[f64]>, number: u32| column?.get(number as usize).copied();
-            let change = |number, spring: SpringGiven| SpringGiven {
-                stiffness: told(stiffness, number).unwrap_or(spring.stiffness),
-                damping: told(damping, number).unwrap_or(spring.damping),
-                rest_length: told(rest_length, number).unwrap_or(spring.rest_length),
-                ..spring
+            let told =
+                [items_if_any(stiffness, length)?, items_if_any(damping, length)?, items_if_any(rest_length, length)?];
+            let change = |number: u32, parameters: &mut Parameters| {
+                for (parameter, column) in parameters.iter_mut().zip(told) {
+                    if let Some(told) = column.get(number as usize) {
+                        *parameter = *told;
+                    }
+                }
             };
-            engine!(engine, engine => engine.set_numbered_springs(change))
+            engine!(engine, engine => engine.change_springs(&change))
         })
     }
 }
@@ -149,12 +146,11 @@ pub unsafe extern "C" fn hooke_scale_springs(world: *mut HookeWorld, stiffness: 
     // SAFETY: as the header says.
     unsafe {
         with(world, |engine| {
-            let change = |spring: SpringGiven| SpringGiven {
-                stiffness: spring.stiffness * stiffness,
-                damping: spring.damping * damping,
-                ..spring
+            let change = |_, [k, c, _]: &mut Parameters| {
+                *k *= stiffness;
+                *c *= damping;
             };
-            engine!(engine, engine => engine.set_springs(None, change))
+            engine!(engine, engine => engine.change_springs(&change))
         })
     }
 }

@@ -66,8 +66,12 @@ pub extern "C" fn hooke_workspace_size(
         0
     };
     // What springs pull at takes room for one thing, what flies freely for another.
-    let all = || bytes(particles).max(bytes(0)).max(bytes(particles / 2));
-    current::enter(all).map_or(0, |all| all.saturating_add(factor))
+    if !current::begin() {
+        return 0;
+    }
+    let all = bytes(particles).max(bytes(0)).max(bytes(particles / 2));
+    current::end();
+    all.saturating_add(factor)
 }
 
 fn workspace<R: Real>(stepper: HookeStepper, collision: HookeCollision, plan: &Plan) -> usize {
@@ -87,17 +91,15 @@ fn factor_bytes(real: usize, particles: usize, springs: usize, blocks: usize) ->
     while sought < chunks {
         sought = (2 * sought).min(springs);
     }
-    [
-        Arena::bytes_of(particles, 28),
-        3 * Arena::bytes_of(particles, 4),
-        Arena::bytes_of(springs, 8),
-        Arena::bytes_of(sought, 4 * chunk),
-        Arena::bytes_of(chunks, 12 * real * chunk),
-        Arena::bytes_of(particles, 6 * real),
-        Arena::bytes_of(particles, 3 * real),
-    ]
-    .into_iter()
-    .fold(0, usize::saturating_add)
+    Arena::bytes_of_all(&[
+        (1, particles, 28),
+        (3, particles, 4),
+        (1, springs, 8),
+        (1, sought, 4 * chunk),
+        (1, chunks, 12 * real * chunk),
+        (1, particles, 6 * real),
+        (1, particles, 3 * real),
+    ])
 }
 
 /// Makes a world in `size` bytes of memory, without anything in it, at 0 s. What `hooke_size_of` leaves of the memory is

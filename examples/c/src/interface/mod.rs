@@ -17,14 +17,14 @@ pub use read::*;
 pub use step::*;
 
 use crate::arena::Capacity;
-use crate::code::{HookeCode, Outcome};
+use crate::code::{HookeCode, Outcome, Wrong};
 
 fn chosen<T>(choice: Option<T>) -> Outcome<T> {
     choice.ok_or(HookeCode::NoSuchOption.into())
 }
 
 fn coded(outcome: Outcome) -> HookeCode {
-    outcome.map_or_else(|wrong| wrong.code, |()| HookeCode::Ok)
+    outcome.err().map_or(HookeCode::Ok, Wrong::code)
 }
 
 fn capacity(particles: u32, springs: u32, planes: u32) -> Capacity {

@@ -2,7 +2,7 @@
 #![allow(unsafe_code, reason = "this is the interface to another language")]
 #![allow(clippy::missing_safety_doc, reason = "the header says it once for all of them")]
 
-use crate::block::{HookeWorld, engine, items_mut, with};
+use crate::block::{AnyEngine, HookeWorld, engine, items_mut_if_any, with, write};
 use crate::code::{HookeCode, Outcome};
 use crate::report::HookeLedger;
 
@@ -31,7 +31,13 @@ pub unsafe extern "C" fn hooke_read(
 ) -> HookeCode {
     // SAFETY: as the header says.
     unsafe {
-        with(world, |engine| engine!(engine, engine => read([position, velocity], length, engine.states(), |x| x)))
+        with(world, |engine| {
+            check_length(engine, length)?;
+            let position = Vectors::Double(items_mut_if_any(position, length)?.as_chunks_mut().0);
+            let velocity = Vectors::Double(items_mut_if_any(velocity, length)?.as_chunks_mut().0);
+            read(engine, position, velocity);
+            Ok(())
+        })
     }
 }
 
@@ -45,37 +51,42 @@ pub unsafe extern "C" fn hooke_read_single(
 ) -> HookeCode {
     // SAFETY: as the header says.
     unsafe {
-        with(
-            world,
-            |engine| engine!(engine, engine => read([position, velocity], length, engine.states(), |x| x as f32)),
-        )
+        with(world, |engine| {
+            check_length(engine, length)?;
+            let position = Vectors::Single(items_mut_if_any(position, length)?.as_chunks_mut().0);
+            let velocity = Vectors::Single(items_mut_if_any(velocity, length)?.as_chunks_mut().0);
+            read(engine, position, velocity);
+            Ok(())
+        })
     }
 }
 
-unsafe fn read<T: Copy>(
-    to: [*mut T; 2],
-    length: usize,
-    states: impl ExactSizeIterator<Item = [[f64; 3]; 2]>,
-    rounded: impl Fn(f64) -> T,
-) -> Outcome {
-    if length != 3 * states.len() {
-        return Err(HookeCode::Length.into());
+/// Where vectors are written to; those that have no place there are left out.
+enum Vectors<'a> {
+    Single(&'a mut [[f32; 3]]),
+    Double(&'a mut [[f64; 3]]),
+}
+
+impl Vectors<'_> {
+    fn write(&mut self, place: usize, vector: [f64; 3]) {
+        let [x, y, z] = vector;
+        match self {
+            Self::Single(vectors) => vectors.get_mut(place).map(|to| *to = [x as f32, y as f32, z as f32]),
+            Self::Double(vectors) => vectors.get_mut(place).map(|to| *to = vector),
+        };
     }
-    let [mut position, mut velocity] = [&mut [] as &mut [[T; 3]], &mut []];
-    for (pointer, columns) in to.into_iter().zip([&mut position, &mut velocity]) {
-        if !pointer.is_null() {
-            // SAFETY: as the header says.
-            *columns = unsafe { items_mut(pointer, length)? }.as_chunks_mut().0;
-        }
-    }
-    for (number, [x, v]) in states.enumerate() {
-        for (columns, vector) in [&mut *position, &mut *velocity].into_iter().zip([x, v]) {
-            if let Some(place) = columns.get_mut(number) {
-                *place = vector.map(&rounded);
-            }
-        }
-    }
-    Ok(())
+}
+
+fn check_length(engine: &AnyEngine, length: usize) -> Outcome {
+    let [particles, ..] = engine!(engine, engine => engine.counts());
+    if length == 3 * particles as usize { Ok(()) } else { Err(HookeCode::Length.into()) }
+}
+
+fn read(engine: &AnyEngine, mut position: Vectors<'_>, mut velocity: Vectors<'_>) {
+    engine!(engine, engine => for (place, [x, v]) in engine.states().enumerate() {
+        position.write(place, x);
+        velocity.write(place, v);
+    });
 }
 
 /// Opens the energy ledger, or opens it anew: from now on it is followed through every step, which costs time.
@@ -96,9 +107,8 @@ pub unsafe extern "C" fn hooke_read_ledger(world: *mut HookeWorld, ledger: *mut 
     // SAFETY: as the header says.
     unsafe {
         with(world, |engine| {
-            let told = items_mut(ledger, 1)?;
-            told.fill(engine!(engine, engine => engine.balance()));
-            Ok(())
+            let told = engine!(engine, engine => engine.balance());
+            write(ledger, told)
         })
     }
 }
@@ -110,9 +120,8 @@ pub unsafe extern "C" fn hooke_digest(world: *mut HookeWorld, digest: *mut u64) 
     // SAFETY: as the header says.
     unsafe {
         with(world, |engine| {
-            let told = items_mut(digest, 1)?;
-            told.fill(engine!(engine, engine => engine.digest()));
-            Ok(())
+            let told = engine!(engine, engine => engine.digest());
+            write(digest, told)
         })
     }
 }

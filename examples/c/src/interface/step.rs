@@ -5,7 +5,7 @@
 use hooke::StabilityBound;
 
 use super::chosen;
-use crate::block::{HookeWorld, engine, items_mut, with, write_if_asked};
+use crate::block::{HookeWorld, engine, with, write, write_if_asked};
 use crate::code::HookeCode;
 use crate::engine::Choices;
 use crate::options::{HookeCollision, HookeStepper};
@@ -93,8 +93,7 @@ pub unsafe extern "C" fn hooke_stable_step(world: *mut HookeWorld, stepper: u32,
         with(world, |engine| {
             let stepper = chosen(HookeStepper::numbered(stepper))?;
             let bound = engine!(engine, engine => engine.stability());
-            items_mut(dt, 1)?.fill(bound.map_or(f64::INFINITY, |bound| stable_step(stepper, &bound)));
-            Ok(())
+            write(dt, bound.map_or(f64::INFINITY, |bound| stable_step(stepper, &bound)))
         })
     }
 }
