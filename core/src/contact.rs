@@ -25,7 +25,8 @@ pub enum Support<R> {
 
 impl<R: Real> Support<R> {
     /// What is left of a vector.
-    #[inline]
+    #[cfg_attr(feature = "small", inline(never))]
+    #[cfg_attr(not(feature = "small"), inline)]
     pub fn allow(self, vector: [R; 3]) -> [R; 3] {
         match self {
             Self::None => vector,

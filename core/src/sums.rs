@@ -11,7 +11,16 @@ const LEVELS: usize = 32;
 ///
 /// Its rounding error grows with the logarithm of `count`, where a running sum's grows with `count` (Higham,
 /// *Accuracy and Stability of Numerical Algorithms*, §4.2).
+#[inline(always)]
 pub fn sum<T: Copy + Default + Add<Output = T>>(count: u32, term: impl Fn(u32) -> T) -> T {
+    if cfg!(feature = "small") {
+        // One copy for whatever is summed.
+        return in_tree::<T, &dyn Fn(u32) -> T>(count, &term);
+    }
+    in_tree(count, term)
+}
+
+fn in_tree<T: Copy + Default + Add<Output = T>, F: Fn(u32) -> T>(count: u32, term: F) -> T {
     // One pending partial sum a level; bit k of the number of blocks so far tells whether level k holds one.
     let mut pending = [T::default(); LEVELS];
     let mut blocks = 0_u32;

@@ -121,18 +121,20 @@ pub fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 
 /// out = a + s b, over whole columns.
 #[inline]
-pub fn advance_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>, s: R, b: Columns<'_, R>) {
-    for ((out, a), b) in out.into_iter().zip(a).zip(b) {
-        for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+pub fn advance_columns<R: Real>(out: &mut ColumnsMut<'_, R>, a: &ColumnsMut<'_, R>, s: R, b: &ColumnsMut<'_, R>) {
+    for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+        for ((out, a), b) in out.iter_mut().zip(a.iter()).zip(b.iter()) {
             *out = *a + s * *b;
         }
     }
 }
 
-/// out = a, over whole columns.
+/// out = a, from an index on.
 #[inline]
-pub fn copy_columns<T: Copy>(out: ColumnsMut<'_, T>, a: Columns<'_, T>) {
-    for (out, a) in out.into_iter().zip(a) {
+pub fn copy_columns<T: Copy>(out: &mut ColumnsMut<'_, T>, a: &ColumnsMut<'_, T>, first: u32) {
+    let first = first as usize;
+    for (out, a) in out.iter_mut().zip(a) {
+        let (out, a) = (out.get_mut(first..).unwrap_or_default(), a.get(first..).unwrap_or_default());
         for (out, a) in out.iter_mut().zip(a) {
             *out = *a;
         }

@@ -15,7 +15,7 @@ pub fn kinetic_of<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u
     if !system.is_dynamic(slot) {
         return 0.0;
     }
-    let v = state.carried_velocity().exactly(slot);
+    let v = state.exact_velocity(slot);
     0.5 * at(system.mass, slot).to_f64() * dot(v, v)
 }
 
@@ -29,14 +29,14 @@ pub fn gravitational<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
         if !system.is_dynamic(slot) {
             return 0.0;
         }
-        -at(system.mass, slot).to_f64() * dot(g, state.carried_position().exactly(slot))
+        -at(system.mass, slot).to_f64() * dot(g, state.exact_position(slot))
     })
 }
 
 /// Σ ½ k (l − l_rest)², J.
 pub fn elastic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
     sum(system.plan.springs, |spring| {
-        let (length, _) = length_and_rate(system, state, spring);
+        let (_, length, _) = stretch(state, at(system.springs.ends, spring));
         let extension = length - at(system.springs.rest_length, spring).to_f64();
         0.5 * at(system.springs.stiffness, spring).to_f64() * extension * extension
     })
@@ -53,7 +53,7 @@ pub fn damping_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
         return 0.0;
     }
     sum(system.plan.springs, |spring| {
-        let (_, rate) = length_and_rate(system, state, spring);
+        let (.., rate) = stretch(state, at(system.springs.ends, spring));
         at(system.springs.damping, spring).to_f64() * rate * rate
     })
 }
@@ -64,7 +64,7 @@ pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
         return 0.0;
     }
     -sum(system.plan.attached, |slot| {
-        let v = state.carried_velocity().exactly(slot);
+        let v = state.exact_velocity(slot);
         if system.is_dynamic(slot) || v == [0.0; 3] {
             return 0.0;
         }
@@ -76,22 +76,20 @@ pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
 /// The force of a spring on the particle in `slot`, N.
 fn pull<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incidence: Incidence) -> [f64; 3] {
     let Incidence { neighbour, spring } = incidence;
-    let (length, rate) = length_and_rate(system, state, spring);
+    let (d, length, rate) = stretch(state, [slot, neighbour]);
     if length == 0.0 {
         return [0.0; 3];
     }
-    let d = difference(state.carried_position().exactly(neighbour), state.carried_position().exactly(slot));
     let extension = length - at(system.springs.rest_length, spring).to_f64();
     let stiffness = at(system.springs.stiffness, spring).to_f64();
     let damping = at(system.springs.damping, spring).to_f64();
     scaled((stiffness * extension + damping * rate) / length, d)
 }
 
-/// A spring's length, m, and how fast it grows, m/s.
-fn length_and_rate<R: Real>(system: &System<'_, R>, state: &State<'_, R>, spring: u32) -> (f64, f64) {
-    let [i, j] = at(system.springs.ends, spring);
-    let d = difference(state.carried_position().exactly(j), state.carried_position().exactly(i));
-    let v = difference(state.carried_velocity().exactly(j), state.carried_velocity().exactly(i));
+/// Along a spring from one end to the other, m; its length, m, and how fast that grows, m/s.
+fn stretch<R: Real>(state: &State<'_, R>, [i, j]: [u32; 2]) -> ([f64; 3], f64, f64) {
+    let d = difference(state.exact_position(j), state.exact_position(i));
+    let v = difference(state.exact_velocity(j), state.exact_velocity(i));
     let length = Real::sqrt(dot(d, d));
-    (length, if length > 0.0 { dot(v, d) / length } else { 0.0 })
+    (d, length, if length > 0.0 { dot(v, d) / length } else { 0.0 })
 }

@@ -49,8 +49,8 @@ pub fn set_out<R: Real>(
     unknowns: &mut Unknowns<'_, R>,
 ) {
     unknowns.direction.fill([R::ZERO; 3]);
-    for (rest, residual) in unknowns.rest.iter_mut().zip(residual) {
-        *rest = scaled(-R::ONE, *residual);
+    for (rest, residual) in unknowns.rest.as_flattened_mut().iter_mut().zip(residual.as_flattened()) {
+        *rest = -R::ONE * *residual;
     }
     confine(system, support, unknowns.rest);
 }
@@ -73,7 +73,7 @@ pub fn conjugate_gradients<R: Real>(
     while solved.residual > target && solved.iterations < most {
         preconditioner.apply(rest, product);
         confine(system, support, product);
-        let next = sum(count, |slot| dot(at(rest, slot), at(product, slot)));
+        let next = inner_product(count, rest, product);
         // In exact arithmetic the search directions are conjugate to each other.
         let ratio = if solved.iterations == 0 { R::ZERO } else { next / energy };
         for (search, preconditioned) in search.iter_mut().zip(product.iter()) {
@@ -86,21 +86,31 @@ pub fn conjugate_gradients<R: Real>(
         matrix.add_product(system, search, product);
         confine(system, support, product);
         solved.iterations += 1;
-        let curvature = sum(count, |slot| dot(at(search, slot), at(product, slot)));
+        let curvature = inner_product(count, search, product);
         let length = energy / curvature;
         if !(length.is_finite() && length > R::ZERO) {
             solved.indefinite = true;
             break;
         }
-        let moved = direction.iter_mut().zip(rest.iter_mut());
-        for ((direction, rest), (search, product)) in moved.zip(search.iter().zip(product.iter())) {
-            *direction = along(*direction, length, *search);
-            *rest = along(*rest, -length, *product);
-        }
+        go_along(direction, length, search);
+        go_along(rest, -length, product);
         solved.residual = norm(system, rest);
     }
     solved.converged = solved.residual <= target;
     solved
+}
+
+/// a·b
+#[inline(never)]
+fn inner_product<R: Real>(count: u32, a: &[[R; 3]], b: &[[R; 3]]) -> R {
+    sum(count, |slot| dot(at(a, slot), at(b, slot)))
+}
+
+/// a + s b, in place of a.
+fn go_along<R: Real>(a: &mut [[R; 3]], s: R, b: &[[R; 3]]) {
+    for (a, b) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
+        *a += s * *b;
+    }
 }
 
 /// Takes from a vector what is held or supported.

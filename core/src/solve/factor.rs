@@ -4,11 +4,11 @@
 //! Large Sparse Positive Definite Systems*, 1981): the entries stay in place and no room is needed beside them.
 
 use super::block::{
-    Block, Symmetric, add_spring, divided, minus_product, solve_diagonal, solve_lower, solve_upper, subtract_columns,
+    Block, Symmetric, divide, solve_diagonal, solve_lower, solve_upper, subtract_columns, subtract_product,
     subtract_rows, subtract_spring, subtract_symmetric, take_apart, times_diagonal, transposed,
 };
 use super::linearised::Linearisation;
-use super::ordering::NONE;
+use super::preconditioner::add_up_diagonal;
 use super::structure::Structure;
 use crate::Real;
 use crate::contact::Support;
@@ -28,33 +28,33 @@ pub struct Factor<'a, R> {
 }
 
 impl<R: Real> Factor<'_, R> {
-    /// Assembles the matrix and factorises it. False if it is not positive definite, and then there is no factor.
-    pub fn make(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>, support: &[Support<R>]) -> bool {
-        self.assemble(system, matrix);
+    /// Assembles the matrix and factorises it. False if it is not positive definite, and then there is no factor. In
+    /// `room` there is some for a block a slot.
+    pub fn make(
+        &mut self,
+        system: &System<'_, R>,
+        matrix: &Linearisation<'_, R>,
+        support: &[Support<R>],
+        room: &mut [Symmetric<R>],
+    ) -> bool {
+        self.assemble(system, matrix, room);
         if system.support.is_some() {
             self.confine(system, support);
         }
         self.factorise()
     }
 
-    fn assemble(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>) {
-        self.blocks.fill([[R::ZERO; 4]; 3]);
+    fn assemble(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>, room: &mut [Symmetric<R>]) {
+        add_up_diagonal(system, matrix, room);
         for (entry, slot) in self.diagonal.iter_mut().zip(self.structure.slot_at) {
-            let m = at(system.mass, *slot);
-            *entry = [m, m, m, R::ZERO, R::ZERO, R::ZERO];
+            *entry = at(room, *slot);
         }
-        let springs = system.springs.ends.iter().zip(self.structure.entry_of);
-        for ((ends, entry), (&axis, &[stretch, across])) in springs.zip(matrix.axis.iter().zip(matrix.resistance)) {
-            for slot in ends {
-                let turn = at(self.structure.turn_of, *slot);
-                if let Some(block) = self.diagonal.get_mut(turn as usize) {
-                    *block = add_spring(*block, axis, stretch, across);
-                }
-            }
-            if *entry != NONE
-                && let Some(block) = self.blocks.get_mut(*entry as usize)
-            {
-                subtract_spring(block, axis, stretch, across);
+        self.blocks.fill([[R::ZERO; 4]; 3]);
+        let springs = self.structure.entry_of.iter().take(system.springs.ends.len());
+        for (entry, (axis, [stretch, across])) in springs.zip(matrix.axis.iter().zip(matrix.resistance)) {
+            // There is none where an end is held.
+            if let Some(block) = self.blocks.get_mut(*entry as usize) {
+                subtract_spring(block, *axis, *stretch, *across);
             }
         }
     }
@@ -69,8 +69,7 @@ impl<R: Real> Factor<'_, R> {
             for (block, row) in column.iter_mut().zip(rows) {
                 let row_held = at(support, at(self.structure.slot_at, *row));
                 if held != Support::None || row_held != Support::None {
-                    let left = transposed(allowed(*block, held));
-                    *block = transposed(allowed(left, row_held));
+                    allow_between(block, held, row_held);
                 }
             }
             if held != Support::None
@@ -92,11 +91,11 @@ impl<R: Real> Factor<'_, R> {
             let Some((done, after)) = blocks.split_at_mut_checked(entries.end) else { return false };
             let column = done.get_mut(entries.clone()).unwrap_or_default();
             for block in column.iter_mut() {
-                *block = divided(block, pivot);
+                divide(block, pivot);
             }
             let mut rest = column.iter().zip(rows);
             while let Some((block, row)) = rest.next() {
-                let scaled = times_diagonal(block, d);
+                let scaled = times_diagonal(*block, d);
                 let transpose = transposed(scaled);
                 if let Some(target) = diagonal.get_mut(*row as usize) {
                     subtract_symmetric(target, block, &scaled);
@@ -108,7 +107,7 @@ impl<R: Real> Factor<'_, R> {
                 let mut targets = target_rows.iter().zip(target_blocks.unwrap_or_default());
                 for (below, row) in rest.clone() {
                     if let Some((_, target)) = targets.find(|(target_row, _)| *target_row == row) {
-                        *target = minus_product(*target, *below, transpose);
+                        subtract_product(target, below, &transpose);
                     }
                 }
             }
@@ -149,20 +148,31 @@ impl<R: Real> Factor<'_, R> {
 }
 
 /// b P, where P is what a support allows.
-fn allowed<R: Real>(block: Block<R>, support: Support<R>) -> Block<R> {
-    block.map(|[a, b, c, _]| {
+fn allow_rows<R: Real>(block: &mut Block<R>, support: Support<R>) {
+    for row in block {
+        let [a, b, c, _] = *row;
         let [a, b, c] = support.allow([a, b, c]);
-        [a, b, c, R::ZERO]
-    })
+        *row = [a, b, c, R::ZERO];
+    }
+}
+
+/// Q b P, where P is what the first of two supports allows and Q what the second does.
+fn allow_between<R: Real>(block: &mut Block<R>, first: Support<R>, second: Support<R>) {
+    allow_rows(block, first);
+    *block = transposed(*block);
+    allow_rows(block, second);
+    *block = transposed(*block);
 }
 
 /// P b P + m (I − P).
 fn confined<R: Real>([xx, yy, zz, xy, xz, yz]: Symmetric<R>, support: Support<R>, m: R) -> Symmetric<R> {
     let o = R::ZERO;
-    let block = allowed([[xx, xy, xz, o], [xy, yy, yz, o], [xz, yz, zz, o]], support);
-    let [[xx, xy, xz, _], [_, yy, yz, _], [_, _, zz, _]] = allowed(transposed(block), support);
-    let unit = [[R::ONE, o, o, o], [o, R::ONE, o, o], [o, o, R::ONE, o]];
-    let [[pxx, pxy, pxz, _], [_, pyy, pyz, _], [_, _, pzz, _]] = allowed(unit, support);
+    let mut block = [[xx, xy, xz, o], [xy, yy, yz, o], [xz, yz, zz, o]];
+    allow_between(&mut block, support, support);
+    let [[xx, ..], [xy, yy, ..], [xz, yz, zz, _]] = block;
+    let mut allowed = [[R::ONE, o, o, o], [o, R::ONE, o, o], [o, o, R::ONE, o]];
+    allow_rows(&mut allowed, support);
+    let [[pxx, pxy, pxz, _], [_, pyy, pyz, _], [_, _, pzz, _]] = allowed;
     [
         xx + m * (R::ONE - pxx),
         yy + m * (R::ONE - pyy),

@@ -48,7 +48,7 @@ pub fn solve<R: Real>(
         }
     }
     report.factorisations = report.factorisations.saturating_add(1);
-    direct.is_made = direct.factor.make(system, &matrix, support);
+    direct.is_made = direct.factor.make(system, &matrix, support, blocks);
     if direct.is_made {
         let solved = go_on(Preconditioner::Factor(&mut direct.factor), MOST_REFINEMENTS, report);
         if solved.is_final() {

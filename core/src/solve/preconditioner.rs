@@ -4,7 +4,6 @@ use super::block::{Symmetric, add_spring, inverse, times_symmetric};
 use super::factor::Factor;
 use super::linearised::Linearisation;
 use crate::Real;
-use crate::vectors::{at, put};
 use crate::world::System;
 
 /// An approximate inverse of a matrix.
@@ -31,16 +30,23 @@ impl<R: Real> Preconditioner<'_, '_, R> {
 
 /// The inverses of the matrix's diagonal blocks; they are positive definite since the masses are.
 pub fn invert_blocks<R: Real>(system: &System<'_, R>, matrix: &Linearisation<'_, R>, blocks: &mut [Symmetric<R>]) {
+    add_up_diagonal(system, matrix, blocks);
+    for block in blocks.iter_mut() {
+        *block = inverse(*block);
+    }
+}
+
+/// The matrix's diagonal blocks, by slot.
+pub fn add_up_diagonal<R: Real>(system: &System<'_, R>, matrix: &Linearisation<'_, R>, blocks: &mut [Symmetric<R>]) {
     for (block, mass) in blocks.iter_mut().zip(system.mass) {
         *block = [*mass, *mass, *mass, R::ZERO, R::ZERO, R::ZERO];
     }
     let springs = system.springs.ends.iter().zip(matrix.axis.iter().zip(matrix.resistance));
     for (ends, (&axis, &[stretch, across])) in springs {
         for slot in ends {
-            put(blocks, *slot, add_spring(at(blocks, *slot), axis, stretch, across));
+            if let Some(block) = blocks.get_mut(*slot as usize) {
+                *block = add_spring(*block, axis, stretch, across);
+            }
         }
-    }
-    for block in blocks.iter_mut() {
-        *block = inverse(*block);
     }
 }

@@ -59,10 +59,11 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for TrBdf2<R, M, FILL> {
         let mut base = self.base.lend();
         let mut report = StepReport::default();
         // x + ½γdt v and v + ½γdt a(x, v)
-        let (x, v) = (read(&view.current.position), read(&view.current.velocity));
-        view.system.accelerations(view.current.carried_position(), v, lend(&mut view.next.velocity), &mut report);
-        advance_columns(lend(&mut base.position), x, part, v);
-        advance_columns(lend(&mut base.velocity), v, part, read(&view.next.velocity));
+        let View { system, current, next, .. } = view;
+        let (position, velocity) = (current.carried_position(), read(&current.velocity));
+        system.accelerations(position, velocity, lend(&mut next.velocity), &mut report);
+        advance_columns(&mut base.position, &current.position, part, &current.velocity);
+        advance_columns(&mut base.velocity, &current.velocity, part, &next.velocity);
         let scratch = &mut self.workspace.lend(&view.system, part);
         report.add(&newton(&mut view.starting_from(&mut base), part, self.tolerance, scratch));
         // x_γ + (x_γ − x)(1 − γ)²/(γ(2 − γ)), and its velocity likewise

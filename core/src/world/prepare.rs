@@ -143,8 +143,9 @@ fn permute<R: Real, M: Storage>(
     let (current, spare) = if front == 0 { (a, b) } else { (b, a) };
     let [scratch, _, _] = &mut spare.position;
     let scratch = scratch.items_mut();
-    let state = current.position.iter_mut().chain(&mut current.velocity);
-    for column in state.chain([mass, inverse_mass]) {
+    let [x, y, z] = &mut current.position;
+    let [u, v, w] = &mut current.velocity;
+    for column in [x, y, z, u, v, w, mass, inverse_mass] {
         permute_column(column.items_mut(), new_slot, scratch);
     }
     if R::IS_COMPENSATED {
