@@ -32,7 +32,7 @@ impl<R: Real> Support<R> {
             Self::None => vector,
             Self::Normal(normal) => across(vector, normal),
             Self::AllBut(line) => scaled(dot(line, vector), line),
-            Self::All => [R::ZERO; 3],
+            Self::All => const { [R::ZERO; 3] },
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The largest time step that keeps an explicit stepper stable, bounded particle by particle.
 
 use crate::Real;
-use crate::vectors::{at, difference, dot, fetch, read};
-use crate::world::{Incidence, State, System, View};
+use crate::vectors::{at, difference, dot, exact};
+use crate::world::{Incidence, Law, State, System, View};
 
 /// How stiff and how damped a world is in its present state, and what limits its time step.
 ///
@@ -133,21 +133,21 @@ fn limit(a: f64, b: f64) -> f64 {
 
 fn blocks<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incidences: &[Incidence]) -> Blocks {
     let springs = system.springs;
-    let position = |slot: u32| fetch(read(&state.position), slot).map(Real::to_f64);
+    let position = |slot: u32| exact(state.position_of(slot));
     let here = position(slot);
     let inverse_mass = at(system.inverse_mass, slot).to_f64();
     let mut blocks = Blocks { stiffness: [0.0; 6], damping: [0.0; 6], stiffest: (-1.0, 0), relaxation: f64::INFINITY };
     for &Incidence { neighbour, spring } in incidences {
-        let [stiffness, damping, rest_length] =
-            [springs.stiffness, springs.damping, springs.rest_length].map(|column| at(column, spring).to_f64());
+        let Law { stiffness, damping, rest_length } = springs.exact_law(spring);
         let both = inverse_mass + at(system.inverse_mass, neighbour).to_f64();
         let d = difference(position(neighbour), here);
         let length = Real::sqrt(dot(d, d));
         let (axis, across) = if length > 0.0 {
-            (d.map(|component| component / length), (1.0 - rest_length / length).max(0.0))
+            let [x, y, z] = d;
+            ([x / length, y / length, z / length], (1.0 - rest_length / length).max(0.0))
         } else {
             // Whatever direction it takes next, it is no stiffer than k in all of them.
-            ([0.0; 3], 1.0)
+            (const { [0.0; 3] }, 1.0)
         };
         add(&mut blocks.stiffness, both * stiffness, axis, across);
         add(&mut blocks.damping, both * damping, axis, 0.0);

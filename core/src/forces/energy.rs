@@ -2,8 +2,8 @@
 
 use crate::Real;
 use crate::sums::sum;
-use crate::vectors::{at, difference, dot, scaled};
-use crate::world::{Coverage, Incidence, State, System};
+use crate::vectors::{at, difference, dot, exact, is_zero, scaled};
+use crate::world::{Coverage, Incidence, Law, State, System};
 
 /// Σ ½ m v² over the particles that are not held, J.
 pub fn kinetic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
@@ -24,7 +24,7 @@ pub fn gravitational<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
     if !system.plan.gravity {
         return 0.0;
     }
-    let g = system.gravity.map(Real::to_f64);
+    let g = exact(system.gravity);
     sum(system.plan.particles, |slot| {
         if !system.is_dynamic(slot) {
             return 0.0;
@@ -37,8 +37,9 @@ pub fn gravitational<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
 pub fn elastic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
     sum(system.plan.springs, |spring| {
         let (_, length, _) = stretch(state, at(system.springs.ends, spring));
-        let extension = length - at(system.springs.rest_length, spring).to_f64();
-        0.5 * at(system.springs.stiffness, spring).to_f64() * extension * extension
+        let law = system.springs.exact_law(spring);
+        let extension = length - law.rest_length;
+        0.5 * law.stiffness * extension * extension
     })
 }
 
@@ -54,7 +55,7 @@ pub fn damping_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
     }
     sum(system.plan.springs, |spring| {
         let (.., rate) = stretch(state, at(system.springs.ends, spring));
-        at(system.springs.damping, spring).to_f64() * rate * rate
+        system.springs.exact_law(spring).damping * rate * rate
     })
 }
 
@@ -65,7 +66,7 @@ pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
     }
     -sum(system.plan.attached, |slot| {
         let v = state.exact_velocity(slot);
-        if system.is_dynamic(slot) || v == [0.0; 3] {
+        if system.is_dynamic(slot) || is_zero(v) {
             return 0.0;
         }
         let springs = system.springs.of_slot(slot);
@@ -78,12 +79,10 @@ fn pull<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incide
     let Incidence { neighbour, spring } = incidence;
     let (d, length, rate) = stretch(state, [slot, neighbour]);
     if length == 0.0 {
-        return [0.0; 3];
+        return const { [0.0; 3] };
     }
-    let extension = length - at(system.springs.rest_length, spring).to_f64();
-    let stiffness = at(system.springs.stiffness, spring).to_f64();
-    let damping = at(system.springs.damping, spring).to_f64();
-    scaled((stiffness * extension + damping * rate) / length, d)
+    let Law { stiffness, damping, rest_length } = system.springs.exact_law(spring);
+    scaled((stiffness * (length - rest_length) + damping * rate) / length, d)
 }
 
 /// Along a spring from one end to the other, m; its length, m, and how fast that grows, m/s.

@@ -23,7 +23,7 @@ pub fn add_spring<R: Real>([xx, yy, zz, xy, xz, yz]: Symmetric<R>, [x, y, z]: [R
 #[inline(always)]
 pub fn subtract_spring<R: Real>(block: &mut Block<R>, n: [R; 3], s: R, t: R) {
     let [[xx, xy, xz, _], [yx, yy, yz, _], [zx, zy, zz, _]] = *block;
-    let [dxx, dyy, dzz, dxy, dxz, dyz] = add_spring([R::ZERO; 6], n, s, t);
+    let [dxx, dyy, dzz, dxy, dxz, dyz] = add_spring(const { [R::ZERO; 6] }, n, s, t);
     *block = [
         [xx - dxx, xy - dxy, xz - dxz, R::ZERO],
         [yx - dxy, yy - dyy, yz - dyz, R::ZERO],

@@ -1,25 +1,18 @@
 //! The springs at the end of a step that is sought: their forces, and the sizes of these.
 
+use super::workspace::Scratch;
 use crate::Real;
 use crate::vectors::{difference, dot, scaled};
 use crate::world::{Coverage, State, System};
-
-/// What of each spring is known in a state.
-pub struct Evaluated<'a, R> {
-    /// d̂, or 0 for a spring of length 0.
-    pub axis: &'a mut [[R; 3]],
-    /// Tension over length, N/m; 0 for a spring of length 0.
-    pub force_density: &'a mut [R],
-}
 
 /// The impulse of the springs on a particle in a step, kg·m/s, and what it is made of: Σ dt|tension|, then
 /// s = Σ (dt·k + k_d), kg/s, and Σ (dt·k + k_d) l, kg·m/s.
 pub type Impulse<R> = [R; 6];
 
-impl<R: Real> Evaluated<'_, R> {
+impl<R: Real> Scratch<'_, R> {
     /// Evaluates all springs in a state, adds up their impulses by slot, and returns how many springs have length 0.
-    pub fn springs(&mut self, system: &System<'_, R>, state: &State<'_, R>, dt: R, impulses: &mut [Impulse<R>]) -> u32 {
-        impulses.fill([R::ZERO; 6]);
+    pub fn evaluate(&mut self, system: &System<'_, R>, state: &State<'_, R>, dt: R) -> u32 {
+        self.blocks.as_flattened_mut().fill(R::ZERO);
         let is_damped = system.plan.damped != Coverage::None;
         let springs = system.springs;
         let parameters = springs.stiffness.iter().zip(springs.damping).zip(springs.rest_length);
@@ -35,7 +28,7 @@ impl<R: Real> Evaluated<'_, R> {
             let mut tension = R::ZERO;
             if length == R::ZERO {
                 degenerate += 1;
-                (*axis, *q) = ([R::ZERO; 3], R::ZERO);
+                (*axis, *q) = (const { [R::ZERO; 3] }, R::ZERO);
             } else {
                 let inverse_length = R::ONE / length;
                 *axis = scaled(inverse_length, d);
@@ -49,9 +42,9 @@ impl<R: Real> Evaluated<'_, R> {
             let impulse = dt * tension;
             let [x, y, z] = scaled(impulse, *axis);
             let mut impulse = [x, y, z, impulse.abs(), strength, strength * length];
-            add(impulses, i, &impulse);
+            add(self.blocks, i, &impulse);
             impulse.iter_mut().take(3).for_each(|component| *component = -*component);
-            add(impulses, j, &impulse);
+            add(self.blocks, j, &impulse);
         }
         degenerate
     }

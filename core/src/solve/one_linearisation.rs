@@ -1,8 +1,7 @@
 //! Implicit Euler's equation, linearised once.
 
-use super::evaluate::Evaluated;
 use super::linear::solve;
-use super::linearised::{Keep, Linearisation, linearise};
+use super::linearised::Keep;
 use super::newton::Tolerance;
 use super::start::start;
 use super::workspace::Scratch;
@@ -22,16 +21,14 @@ pub fn one_linearisation<R: Real>(
     let mut report = StepReport { iterations: 1, ..StepReport::default() };
     start(view, dt, scratch, &mut report);
     let View { system, current, next, .. } = view;
-    let mut evaluated = Evaluated { axis: scratch.axis, force_density: scratch.force_density };
-    evaluated.springs(system, current, dt, scratch.blocks);
+    scratch.evaluate(system, current, dt);
     // The matrix holds dt²·K alone at first, so that its product with v is the right-hand side's.
-    linearise(system, &evaluated, scratch.resistance, dt, Keep::Stiffness);
+    scratch.linearise(system, dt, Keep::Stiffness);
     for (slot, known) in (0..).zip(scratch.search.iter_mut()) {
         *known = current.velocity_of(slot);
     }
-    scratch.product.fill([R::ZERO; 3]);
-    let matrix = Linearisation { axis: evaluated.axis, resistance: scratch.resistance };
-    matrix.add_product(system, scratch.search, scratch.product);
+    scratch.product.as_flattened_mut().fill(R::ZERO);
+    scratch.add_product(system);
     let mut size = 0.0;
     // `start` has left the accelerations in the direction.
     let known = scratch.direction.iter().zip(scratch.product.iter()).zip(scratch.support.iter());
@@ -39,12 +36,12 @@ pub fn one_linearisation<R: Real>(
     let residuals = scratch.residual.iter_mut();
     for ((residual, ((acceleration, stretched), support)), (mass, inverse_mass)) in residuals.zip(known).zip(masses) {
         let impulse = scaled(dt * *mass, *acceleration);
-        let right = if *inverse_mass > R::ZERO { along(impulse, -R::ONE, *stretched) } else { [R::ZERO; 3] };
+        let right = if *inverse_mass > R::ZERO { along(impulse, -R::ONE, *stretched) } else { const { [R::ZERO; 3] } };
         let right = support.allow(right);
         size += inverse_mass.to_f64() * dot(right, right).to_f64();
         *residual = scaled(-R::ONE, right);
     }
-    linearise(system, &evaluated, scratch.resistance, dt, Keep::Definite);
+    scratch.linearise(system, dt, Keep::Definite);
     let size = Real::sqrt(size);
     let solved = solve(system, scratch, tolerance.0.max(R::EPSILON.to_f64()) * size, &mut report);
     report.converged = solved.converged;

@@ -1,9 +1,11 @@
 //! Where the entries of the factor are, and what it takes to compute them.
 
+use core::ops::Range;
+
 use super::ordering::{NONE, Ordering};
 use super::worth::Elimination;
 use crate::Real;
-use crate::vectors::{at, put};
+use crate::vectors::{at, items_of, part, put};
 use crate::world::{System, exchange, sort};
 
 /// The structure of a factor, turn by turn.
@@ -22,17 +24,13 @@ pub struct Structure<'a> {
 }
 
 impl<'a> Structure<'a> {
-    /// The entries of a turn's column.
-    #[inline(always)]
-    pub fn column(&self, turn: u32) -> core::ops::Range<usize> {
-        let start = turn.checked_sub(1).map_or(0, |before| at(self.column_end, before));
-        start as usize..at(self.column_end, turn) as usize
-    }
-
-    /// The turns of some entries.
-    #[inline(always)]
-    pub fn rows(&self, entries: core::ops::Range<usize>) -> &'a [u32] {
-        self.rows.get(entries).unwrap_or_default()
+    /// The entries of a turn's column, and their turns.
+    #[cfg_attr(feature = "small", inline(never))]
+    #[cfg_attr(not(feature = "small"), inline(always))]
+    pub fn column(&self, turn: u32) -> (Range<usize>, &'a [u32]) {
+        let entries = items_of(self.column_end, turn);
+        let entries = entries.start as usize..entries.end as usize;
+        (entries.clone(), self.rows.get(entries).unwrap_or_default())
     }
 }
 
@@ -71,9 +69,9 @@ fn entry([a, b]: [u32; 2], column_end: &[u32], rows: &[u32]) -> u32 {
     if row == NONE {
         return NONE;
     }
-    let start = column.checked_sub(1).map_or(0, |before| at(column_end, before));
-    let entries = rows.get(start as usize..at(column_end, column) as usize).unwrap_or_default();
-    entries.binary_search(&row).map_or(NONE, |place| start + place as u32)
+    let entries = items_of(column_end, column);
+    let rows = part(rows, entries.clone()).unwrap_or_default();
+    rows.binary_search(&row).map_or(NONE, |place| entries.start + place as u32)
 }
 
 /// A number that tells one topology from another: who is joined to whom, and who is held.

@@ -10,7 +10,8 @@ use core::ops::Range;
 
 use super::layout::Incidence;
 use super::sort::{self, exchange};
-use crate::vectors::{at, put};
+use super::view::incidences_of;
+use crate::vectors::{at, items_of, put};
 
 /// Searches in all: each begins at the far end of the one before. Three are common, and a few more find a longer way.
 const SEARCHES: u8 = 8;
@@ -37,9 +38,7 @@ struct Searched {
 impl Graph<'_> {
     /// The slots at the other ends of a slot's springs.
     pub fn neighbours(&self, slot: u32) -> impl Iterator<Item = u32> {
-        let list = self.list(slot);
-        let list = self.incidences.get(list.start as usize..list.end as usize).unwrap_or_default();
-        list.iter().map(|incidence| incidence.neighbour)
+        incidences_of(slot, self.list_end, self.incidences).iter().map(|incidence| incidence.neighbour)
     }
 
     /// The slot in a place of the order.
@@ -62,10 +61,6 @@ impl Graph<'_> {
         }
     }
 
-    fn list(&self, slot: u32) -> Range<u32> {
-        list(self.list_end, slot)
-    }
-
     fn degree(&self, slot: u32) -> u32 {
         degree(self.list_end, slot)
     }
@@ -73,7 +68,7 @@ impl Graph<'_> {
     /// Sorts the lists of an island by degree. The places of its order lie in them or before, so that this comes first.
     fn sort(&mut self, island: &Range<u32>) {
         for slot in island.clone() {
-            let list = self.list(slot);
+            let list = items_of(self.list_end, slot);
             let list = self.incidences.get_mut(list.start as usize..list.end as usize).unwrap_or_default();
             let key = |Incidence { neighbour, .. }: &Incidence| (degree(self.list_end, *neighbour), *neighbour);
             if cfg!(feature = "small") {
@@ -93,7 +88,7 @@ impl Graph<'_> {
         loop {
             let before = end;
             for place in furthest.clone() {
-                for link in self.list(self.in_place(place)) {
+                for link in items_of(self.list_end, self.in_place(place)) {
                     let slot = at(self.incidences, link).neighbour;
                     if island.contains(&slot) && at(self.found_by, slot) != search {
                         self.find(slot, &mut end, search);
@@ -116,12 +111,7 @@ impl Graph<'_> {
     }
 }
 
-fn list(list_end: &[u32], slot: u32) -> Range<u32> {
-    let start = if slot == 0 { 0 } else { at(list_end, slot - 1) };
-    start..at(list_end, slot)
-}
-
 fn degree(list_end: &[u32], slot: u32) -> u32 {
-    let list = list(list_end, slot);
+    let list = items_of(list_end, slot);
     list.end - list.start
 }

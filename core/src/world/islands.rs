@@ -11,7 +11,7 @@ use super::prepare::Layout;
 use super::rest::Mark;
 use super::storage::{Column, Storage};
 use crate::Real;
-use crate::vectors::{at, fetch, put};
+use crate::vectors::{at, fetch, is_zero, put};
 
 /// In place of the rank of a particle that no spring pulls at.
 const FREE: u32 = u32::MAX;
@@ -133,7 +133,7 @@ pub fn arrange<R: Real, M: Storage>(
         // Who remembers the root finds it at once from now on.
         forest.set_parent(rank, root);
         // What has been moved since it fell asleep does not sleep.
-        let sleeps = Mark::from_byte(*mark).is_asleep() && fetch(velocity, *slot) == [R::ZERO; 3];
+        let sleeps = Mark::from_byte(*mark).is_asleep() && is_zero(fetch(velocity, *slot));
         let tally = forest.tally(root) + 1;
         forest.set_tally(root, if sleeps { tally } else { tally | AWAKE });
     }

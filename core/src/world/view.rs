@@ -11,7 +11,7 @@ use crate::contact::HoldUp;
 use crate::lanes::Present;
 use crate::sleep::Sleeping;
 use crate::types::{Plane, StepError};
-use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, store, window};
+use crate::vectors::{ColumnsMut, at, copy_columns, fetch, items_of, lend, part, read, store, window};
 use crate::workers::Workers;
 
 /// Positions and velocities by slot.
@@ -216,6 +216,13 @@ impl<'a, R: Real> Springs<'a, R> {
         }
     }
 
+    /// Of one spring, in `f64`.
+    #[cfg_attr(feature = "small", inline(never))]
+    pub fn exact_law(&self, spring: u32) -> Law<f64> {
+        let Law { stiffness, damping, rest_length } = self.law(spring);
+        Law { stiffness: stiffness.to_f64(), damping: damping.to_f64(), rest_length: rest_length.to_f64() }
+    }
+
     /// The slots from 0 to `attached`, each with its springs in the order in which their forces are added.
     pub fn by_slot(self, attached: u32) -> impl Iterator<Item = (u32, &'a [Incidence])> {
         let mut start = 0;
@@ -241,9 +248,7 @@ impl<'a, R: Real> Springs<'a, R> {
 
 /// Those of one slot.
 pub fn incidences_of<'a>(slot: u32, incidence_end: &[u32], incidences: &'a [Incidence]) -> &'a [Incidence] {
-    let start = slot.checked_sub(1).map_or(0, |before| at(incidence_end, before));
-    let end = at(incidence_end, slot);
-    incidences.get(start as usize..end as usize).unwrap_or_default()
+    part(incidences, items_of(incidence_end, slot)).unwrap_or_default()
 }
 
 /// What stays as it is while a step is made.
@@ -273,6 +278,7 @@ pub struct System<'a, R> {
 
 impl<R: Real> System<'_, R> {
     /// Whether a particle moves as the forces on it say.
+    #[cfg_attr(feature = "small", inline(never))]
     pub fn is_dynamic(&self, slot: u32) -> bool {
         at(self.inverse_mass, slot) > R::ZERO
     }
