@@ -96,34 +96,35 @@ struct Blocks {
 }
 
 pub(crate) fn bound<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> Option<StabilityBound> {
-    let mut bound: Option<StabilityBound> = None;
+    let mut bound = StabilityBound {
+        frequency: 0.0,
+        damping_rate: 0.0,
+        velocity_verlet: f64::INFINITY,
+        semi_implicit_euler: f64::INFINITY,
+        explicit_euler: f64::INFINITY,
+        particle: 0,
+        spring: 0,
+    };
+    let mut any = false;
     for (slot, incidences) in system.springs.by_slot(system.plan.attached) {
         if !system.is_dynamic(slot) {
             continue;
         }
         let blocks = blocks(system, state, slot, incidences);
         let (squared, gamma) = (largest_eigenvalue(blocks.stiffness), largest_eigenvalue(blocks.damping));
-        let found = bound.get_or_insert(StabilityBound {
-            frequency: 0.0,
-            damping_rate: 0.0,
-            velocity_verlet: f64::INFINITY,
-            semi_implicit_euler: f64::INFINITY,
-            explicit_euler: f64::INFINITY,
-            particle: at(system.particle_at, slot),
-            spring: blocks.stiffest.1,
-        });
         let verlet = limit(squared, 4.0 * gamma);
-        if verlet < found.velocity_verlet {
-            found.velocity_verlet = verlet;
-            found.particle = at(system.particle_at, slot);
-            found.spring = blocks.stiffest.1;
+        if !any || verlet < bound.velocity_verlet {
+            bound.particle = at(system.particle_at, slot);
+            bound.spring = blocks.stiffest.1;
         }
-        found.semi_implicit_euler = found.semi_implicit_euler.min(limit(squared, 2.0 * gamma));
-        found.damping_rate = found.damping_rate.max(gamma);
-        found.frequency = found.frequency.max(Real::sqrt(squared));
-        found.explicit_euler = found.explicit_euler.min(blocks.relaxation).min(2.0 / gamma);
+        any = true;
+        bound.velocity_verlet = bound.velocity_verlet.at_most(verlet);
+        bound.semi_implicit_euler = bound.semi_implicit_euler.at_most(limit(squared, 2.0 * gamma));
+        bound.damping_rate = bound.damping_rate.at_least(gamma);
+        bound.frequency = bound.frequency.at_least(Real::sqrt(squared));
+        bound.explicit_euler = bound.explicit_euler.at_most(blocks.relaxation).at_most(2.0 / gamma);
     }
-    bound
+    any.then_some(bound)
 }
 
 /// The dt that solves dt²·a + dt·b = 4.
@@ -144,7 +145,7 @@ fn blocks<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, inci
         let length = Real::sqrt(dot(d, d));
         let (axis, across) = if length > 0.0 {
             let [x, y, z] = d;
-            ([x / length, y / length, z / length], (1.0 - rest_length / length).max(0.0))
+            ([x / length, y / length, z / length], (1.0 - rest_length / length).at_least(0.0))
         } else {
             // Whatever direction it takes next, it is no stiffer than k in all of them.
             (const { [0.0; 3] }, 1.0)
@@ -155,7 +156,7 @@ fn blocks<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, inci
             blocks.stiffest = (both * stiffness, at(springs.number, spring));
         }
         if stiffness > 0.0 {
-            blocks.relaxation = blocks.relaxation.min(damping / stiffness);
+            blocks.relaxation = blocks.relaxation.at_most(damping / stiffness);
         }
     }
     blocks

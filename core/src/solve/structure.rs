@@ -6,7 +6,7 @@ use super::ordering::{NONE, Ordering};
 use super::worth::Elimination;
 use crate::Real;
 use crate::vectors::{at, items_of, part, put};
-use crate::world::{System, exchange, sort};
+use crate::world::{System, Unsorted, exchange, sort};
 
 /// The structure of a factor, turn by turn.
 #[derive(Clone, Copy)]
@@ -47,7 +47,7 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
             *row = at(turn_of, *row);
         }
         if cfg!(feature = "small") {
-            sort(column, *end - start, |rows, first, second| at(rows, first) < at(rows, second), exchange);
+            sort(&mut Turns(column), *end - start);
         } else {
             column.sort_unstable();
         }
@@ -61,6 +61,19 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
         put(entry_of, spring, entry(ends.map(|slot| at(turn_of, slot)), column_end, rows));
     }
     Some(elimination)
+}
+
+/// Turns in no order yet.
+struct Turns<'a>(&'a mut [u32]);
+
+impl Unsorted for Turns<'_> {
+    fn precedes(&self, first: u32, second: u32) -> bool {
+        at(self.0, first) < at(self.0, second)
+    }
+
+    fn exchange(&mut self, first: u32, second: u32) {
+        exchange(self.0, first, second);
+    }
 }
 
 /// The entry where two turns meet.

@@ -15,7 +15,7 @@ use super::view::{Springs, State, System, View, incidences_of, told};
 use crate::Real;
 use crate::lanes::{Lanes, Present};
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
-use crate::vectors::{at, difference, fetch, put, read, size};
+use crate::vectors::{at, difference, fetch, is_zero, put, read, size};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
@@ -368,14 +368,14 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
         let Plan { particles, attached, asleep, .. } = self.plan;
         let first_asleep = particles - asleep;
-        let springs = self.springs.ends.items().partition_point(|[_, j]| *j < first_asleep);
+        let springs = self.springs.ends.items().iter().take_while(|[_, j]| *j < first_asleep).count();
         let awake = self.springs.ends.items().get(..springs).unwrap_or_default();
         let inverse_mass = self.particles.inverse_mass.items();
-        let live = awake.partition_point(|ends| !is_idle(*ends, inverse_mass));
+        let live = awake.iter().take_while(|ends| !is_idle(**ends, inverse_mass)).count();
         let span = awake.iter().take(live).map(|[i, j]| j - i).max().unwrap_or(0);
         let (on_diagonals, pieces) = self.find_pieces(attached - asleep, live);
         self.plan = Plan {
-            gravity: self.gravity != [R::ZERO; 3],
+            gravity: !is_zero(self.gravity),
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             of_one_mass: Plan::of_one_mass(self.particles.inverse_mass.items()),
             springs: self.springs.count(),

@@ -9,7 +9,7 @@
 use core::ops::Range;
 
 use super::layout::Incidence;
-use super::sort::{self, exchange};
+use super::sort::{Unsorted, exchange, sort};
 use super::view::incidences_of;
 use crate::vectors::{at, items_of, put};
 
@@ -52,8 +52,9 @@ impl Graph<'_> {
         self.found_by.get_mut(island.start as usize..island.end as usize).unwrap_or_default().fill(0);
         let mut last = self.search(island, island.start, 1);
         for search in 2..=SEARCHES {
-            let from = last.furthest.map(|place| self.in_place(place)).min_by_key(|slot| (self.degree(*slot), *slot));
-            let next = self.search(island, from.unwrap_or(island.start), search);
+            let furthest = last.furthest.map(|place| self.in_place(place));
+            let from = furthest.map(|slot| (degree(self.list_end, slot), slot)).min();
+            let next = self.search(island, from.map_or(island.start, |(_, slot)| slot), search);
             if next.depth == last.depth {
                 break;
             }
@@ -61,21 +62,16 @@ impl Graph<'_> {
         }
     }
 
-    fn degree(&self, slot: u32) -> u32 {
-        degree(self.list_end, slot)
-    }
-
     /// Sorts the lists of an island by degree. The places of its order lie in them or before, so that this comes first.
     fn sort(&mut self, island: &Range<u32>) {
         for slot in island.clone() {
             let list = items_of(self.list_end, slot);
             let list = self.incidences.get_mut(list.start as usize..list.end as usize).unwrap_or_default();
-            let key = |Incidence { neighbour, .. }: &Incidence| (degree(self.list_end, *neighbour), *neighbour);
             if cfg!(feature = "small") {
-                let precedes = |list: &[Incidence], first, second| key(&at(list, first)) < key(&at(list, second));
-                sort::sort(list, list.len() as u32, precedes, exchange);
+                let count = list.len() as u32;
+                sort(&mut Neighbours { list, list_end: self.list_end }, count);
             } else {
-                list.sort_unstable_by_key(key);
+                list.sort_unstable_by_key(|incidence| key(self.list_end, *incidence));
             }
         }
     }
@@ -109,6 +105,27 @@ impl Graph<'_> {
         put(self.incidences, *end, place);
         *end += 1;
     }
+}
+
+/// The list of a slot, in no order yet.
+struct Neighbours<'a> {
+    list: &'a mut [Incidence],
+    list_end: &'a [u32],
+}
+
+impl Unsorted for Neighbours<'_> {
+    fn precedes(&self, first: u32, second: u32) -> bool {
+        key(self.list_end, at(self.list, first)) < key(self.list_end, at(self.list, second))
+    }
+
+    fn exchange(&mut self, first: u32, second: u32) {
+        exchange(self.list, first, second);
+    }
+}
+
+/// What neighbours are ordered by.
+fn key(list_end: &[u32], Incidence { neighbour, .. }: Incidence) -> (u32, u32) {
+    (degree(list_end, neighbour), neighbour)
 }
 
 fn degree(list_end: &[u32], slot: u32) -> u32 {

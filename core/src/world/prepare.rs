@@ -45,7 +45,7 @@ pub fn partition<R: Real, M: Storage>(
     dormancy: Option<Dormancy<R, M>>,
 ) -> Layout {
     let by_number = match dormancy {
-        Some(Dormancy { arrange, .. }) => arrange(particles, springs, front, false),
+        Some(Dormancy { arrange, .. }) => arrange(particles, springs, front, true),
         None => attached_first(particles, springs),
     };
     let mut layout = moved(by_number, particles, springs, front);
@@ -72,7 +72,7 @@ fn renumber_islands<R: Real, M: Storage>(
     let mut layout = *layout;
     if !by_islands {
         // What is connected gets slots of its own, for as long as it takes to see whether any of it is renumbered.
-        let arranged = arrange(particles, springs, front, true);
+        let arranged = arrange(particles, springs, front, false);
         layout = moved(arranged, particles, springs, front);
     }
     let renumbered = renumber(particles, springs, layout.shared..layout.attached - layout.asleep);

@@ -102,6 +102,16 @@ impl<R: Real> State<'_, R> {
         }
     }
 
+    /// Goes on in a straight line from another state, by so many times the way from there to here.
+    pub fn extrapolate(&mut self, from: &State<'_, R>, times: R) {
+        let columns = self.position.iter_mut().chain(&mut self.velocity);
+        for (column, from) in columns.zip(from.position.iter().chain(&from.velocity)) {
+            for (value, from) in column.iter_mut().zip(from.iter()) {
+                *value += times * (*value - *from);
+            }
+        }
+    }
+
     /// Of the first so many slots.
     fn first(&mut self, count: u32) -> State<'_, R> {
         State {
