@@ -7,7 +7,7 @@
 
 use super::workspace::Scratch;
 use crate::Real;
-use crate::vectors::{along, at, difference, dot, is_zero, put, scaled};
+use crate::vectors::{along, at, difference, dot, is_zero, scaled};
 use crate::world::System;
 
 /// What of the springs' resistance a linearisation keeps.
@@ -50,8 +50,11 @@ impl<R: Real> Scratch<'_, R> {
         for (&[i, j], (axis, &[stretch, across])) in springs {
             let relative = difference(at(self.search, i), at(self.search, j));
             let pull = along(scaled(across, relative), stretch * dot(*axis, relative), *axis);
-            put(self.product, i, along(at(self.product, i), R::ONE, pull));
-            put(self.product, j, along(at(self.product, j), -R::ONE, pull));
+            for (slot, sign) in [(i, R::ONE), (j, -R::ONE)] {
+                if let Some(product) = self.product.get_mut(slot as usize) {
+                    *product = along(*product, sign, pull);
+                }
+            }
         }
     }
 }

@@ -58,7 +58,8 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
         start = *end;
     }
     for (spring, ends) in (0..).zip(system.springs.ends) {
-        put(entry_of, spring, entry(ends.map(|slot| at(turn_of, slot)), column_end, rows));
+        let [i, j] = *ends;
+        put(entry_of, spring, entry(at(turn_of, i), at(turn_of, j), column_end, rows));
     }
     Some(elimination)
 }
@@ -77,30 +78,33 @@ impl Unsorted for Turns<'_> {
 }
 
 /// The entry where two turns meet.
-fn entry([a, b]: [u32; 2], column_end: &[u32], rows: &[u32]) -> u32 {
+fn entry(a: u32, b: u32, column_end: &[u32], rows: &[u32]) -> u32 {
     let (column, row) = (a.min(b), a.max(b));
     if row == NONE {
         return NONE;
     }
     let entries = items_of(column_end, column);
     let rows = part(rows, entries.clone()).unwrap_or_default();
-    rows.binary_search(&row).map_or(NONE, |place| entries.start + place as u32)
+    entries.zip(rows).find(|(_, other)| **other == row).map_or(NONE, |(entry, _)| entry)
 }
 
 /// A number that tells one topology from another: who is joined to whom, and who is held.
 pub fn fingerprint<R: Real>(system: &System<'_, R>) -> u64 {
-    // Multiplication by an odd number loses nothing (Knuth's golden ratio in 64 bits); the shift brings the upper half down.
-    let mix = |hash: u64, value: u64| {
-        let mixed = (hash ^ value).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        mixed ^ (mixed >> 32)
-    };
-    let start = u64::from(system.plan.attached) << 32 | u64::from(system.plan.springs);
-    let joined =
-        system.springs.ends.iter().fold(mix(1, start), |hash, &[i, j]| mix(hash, u64::from(i) << 32 | u64::from(j)));
-    if system.plan.held == 0 {
-        return joined;
+    let mut hash = mix(1, u64::from(system.plan.attached) << 32 | u64::from(system.plan.springs));
+    for &[i, j] in system.springs.ends {
+        hash = mix(hash, u64::from(i) << 32 | u64::from(j));
     }
-    (0..system.plan.attached)
-        .filter(|slot| !system.is_dynamic(*slot))
-        .fold(joined, |hash, slot| mix(hash, u64::from(slot)))
+    if system.plan.held > 0 {
+        for slot in (0..system.plan.attached).filter(|slot| !system.is_dynamic(*slot)) {
+            hash = mix(hash, u64::from(slot));
+        }
+    }
+    hash
+}
+
+/// Multiplication by an odd number loses nothing (Knuth's golden ratio in 64 bits); the shift brings the upper half down.
+#[cfg_attr(feature = "small", inline(never))]
+fn mix(hash: u64, value: u64) -> u64 {
+    let mixed = (hash ^ value).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    mixed ^ (mixed >> 32)
 }

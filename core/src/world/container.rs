@@ -340,7 +340,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
     }
 
-    /// Sorts particles into slots, and lists their springs. The plan then says no more than that.
+    /// Sorts particles into slots, and lists their springs: what a plan says of that.
     fn lay_out(&mut self) {
         let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep);
         order(&mut self.springs, self.particles.inverse_mass.items(), layout.first_asleep());
@@ -355,7 +355,7 @@ impl<R: Real, M: Storage> Container<R, M> {
             islands,
             islands_asleep,
             asleep,
-            ..Plan::EMPTY
+            ..self.plan
         };
     }
 
