@@ -50,10 +50,11 @@ impl<R: Real> Scratch<'_, R> {
         for (&[i, j], (axis, &[stretch, across])) in springs {
             let relative = difference(at(self.search, i), at(self.search, j));
             let pull = along(scaled(across, relative), stretch * dot(*axis, relative), *axis);
-            for (slot, sign) in [(i, R::ONE), (j, -R::ONE)] {
-                if let Some(product) = self.product.get_mut(slot as usize) {
-                    *product = along(*product, sign, pull);
-                }
+            if let Some(product) = self.product.get_mut(i as usize) {
+                *product = along(*product, R::ONE, pull);
+            }
+            if let Some(product) = self.product.get_mut(j as usize) {
+                *product = along(*product, -R::ONE, pull);
             }
         }
     }

@@ -1,6 +1,8 @@
 //! Sorting in little code, for programs that have less flash than time: a few hundred bytes, where the standard library's
 //! takes thousands. Where no two items are alike, the order is the same.
 
+use crate::vectors::{at, put};
+
 /// Items to be sorted, wherever they are kept.
 pub trait Unsorted {
     /// Whether the first of two comes before the second.
@@ -39,8 +41,8 @@ pub fn sort(items: &mut dyn Unsorted, count: u32) {
 
 /// Puts two items in each other's place.
 #[inline(never)]
-pub fn exchange<T>(items: &mut [T], first: u32, second: u32) {
-    if let Ok([first, second]) = items.get_disjoint_mut([first as usize, second as usize]) {
-        core::mem::swap(first, second);
-    }
+pub fn exchange<T: Copy + Default>(items: &mut [T], first: u32, second: u32) {
+    let item = at(items, first);
+    put(items, first, at(items, second));
+    put(items, second, item);
 }
