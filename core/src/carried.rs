@@ -50,7 +50,8 @@ impl<R: Real> Carried<'_, R> {
 
     /// Vector `index` in `f64`.
     pub fn exactly(self, index: u32) -> [f64; 3] {
-        self.fetch(index).map(|(value, residual)| value.told(residual).to_f64())
+        let [x, y, z] = self.fetch(index);
+        [x.0.told(x.1).to_f64(), y.0.told(y.1).to_f64(), z.0.told(z.1).to_f64()]
     }
 }
 

@@ -25,13 +25,14 @@ pub enum Support<R> {
 
 impl<R: Real> Support<R> {
     /// What is left of a vector.
-    #[inline]
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline)]
     pub fn allow(self, vector: [R; 3]) -> [R; 3] {
         match self {
             Self::None => vector,
             Self::Normal(normal) => across(vector, normal),
             Self::AllBut(line) => scaled(dot(line, vector), line),
-            Self::All => [R::ZERO; 3],
+            Self::All => const { [R::ZERO; 3] },
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::Real;
 use crate::forces::energy::kinetic_of;
 use crate::roles::Observer;
 use crate::types::{Sleep, StepError, StepReport};
-use crate::vectors::{at, difference, dot, fetch, put, read, store};
+use crate::vectors::{at, difference, dot, is_zero, put, store};
 use crate::world::{Mark, View};
 
 /// Looks in a row that must find an island calm; they are spread evenly over the time that is asked for.
@@ -88,7 +88,7 @@ impl<R: Real> View<'_, R> {
             return;
         }
         for (slot, incidences) in system.springs.by_slot(awake.attached) {
-            if system.is_dynamic(slot) || fetch(read(&self.current.velocity), slot) == [R::ZERO; 3] {
+            if system.is_dynamic(slot) || is_zero(self.current.velocity_of(slot)) {
                 continue;
             }
             for incidence in incidences {
@@ -123,11 +123,11 @@ impl<R: Real> View<'_, R> {
 
     /// Just after a step the next state still is the one before it.
     fn is_calm(&self, slot: u32, calm: &Calm<R>) -> bool {
-        let velocity = fetch(read(&self.current.velocity), slot);
+        let velocity = self.current.velocity_of(slot);
         if !self.system.is_dynamic(slot) {
-            return velocity == [R::ZERO; 3];
+            return is_zero(velocity);
         }
-        let change = difference(velocity, fetch(read(&self.next.velocity), slot));
+        let change = difference(velocity, self.next.velocity_of(slot));
         dot(velocity, velocity) < calm.speed && dot(change, change) < calm.change
     }
 

@@ -1,8 +1,8 @@
 //! The largest time step that keeps an explicit stepper stable, bounded particle by particle.
 
 use crate::Real;
-use crate::vectors::{at, difference, dot, fetch, read};
-use crate::world::{Incidence, State, System, View};
+use crate::vectors::{at, difference, dot, exact};
+use crate::world::{Incidence, Law, State, System, View};
 
 /// How stiff and how damped a world is in its present state, and what limits its time step.
 ///
@@ -97,34 +97,35 @@ struct Blocks {
 
 /// For the slots from 0 to `attached`.
 pub(crate) fn bound<R: Real>(system: &System<'_, R>, attached: u32, state: &State<'_, R>) -> Option<StabilityBound> {
-    let mut bound: Option<StabilityBound> = None;
+    let mut bound = StabilityBound {
+        frequency: 0.0,
+        damping_rate: 0.0,
+        velocity_verlet: f64::INFINITY,
+        semi_implicit_euler: f64::INFINITY,
+        explicit_euler: f64::INFINITY,
+        particle: 0,
+        spring: 0,
+    };
+    let mut any = false;
     for (slot, incidences) in system.springs.by_slot(attached) {
         if !system.is_dynamic(slot) {
             continue;
         }
         let blocks = blocks(system, state, slot, incidences);
         let (squared, gamma) = (largest_eigenvalue(blocks.stiffness), largest_eigenvalue(blocks.damping));
-        let found = bound.get_or_insert(StabilityBound {
-            frequency: 0.0,
-            damping_rate: 0.0,
-            velocity_verlet: f64::INFINITY,
-            semi_implicit_euler: f64::INFINITY,
-            explicit_euler: f64::INFINITY,
-            particle: at(system.particle_at, slot),
-            spring: blocks.stiffest.1,
-        });
         let verlet = limit(squared, 4.0 * gamma);
-        if verlet < found.velocity_verlet {
-            found.velocity_verlet = verlet;
-            found.particle = at(system.particle_at, slot);
-            found.spring = blocks.stiffest.1;
+        if !any || verlet < bound.velocity_verlet {
+            bound.particle = at(system.particle_at, slot);
+            bound.spring = blocks.stiffest.1;
         }
-        found.semi_implicit_euler = found.semi_implicit_euler.min(limit(squared, 2.0 * gamma));
-        found.damping_rate = found.damping_rate.max(gamma);
-        found.frequency = found.frequency.max(Real::sqrt(squared));
-        found.explicit_euler = found.explicit_euler.min(blocks.relaxation).min(2.0 / gamma);
+        any = true;
+        bound.velocity_verlet = bound.velocity_verlet.at_most(verlet);
+        bound.semi_implicit_euler = bound.semi_implicit_euler.at_most(limit(squared, 2.0 * gamma));
+        bound.damping_rate = bound.damping_rate.at_least(gamma);
+        bound.frequency = bound.frequency.at_least(Real::sqrt(squared));
+        bound.explicit_euler = bound.explicit_euler.at_most(blocks.relaxation).at_most(2.0 / gamma);
     }
-    bound
+    any.then_some(bound)
 }
 
 /// The dt that solves dt²·a + dt·b = 4.
@@ -134,21 +135,21 @@ fn limit(a: f64, b: f64) -> f64 {
 
 fn blocks<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incidences: &[Incidence]) -> Blocks {
     let springs = system.springs;
-    let position = |slot: u32| fetch(read(&state.position), slot).map(Real::to_f64);
+    let position = |slot: u32| exact(state.position_of(slot));
     let here = position(slot);
     let inverse_mass = at(system.inverse_mass, slot).to_f64();
     let mut blocks = Blocks { stiffness: [0.0; 6], damping: [0.0; 6], stiffest: (-1.0, 0), relaxation: f64::INFINITY };
     for &Incidence { neighbour, spring } in incidences {
-        let [stiffness, damping, rest_length] =
-            [springs.stiffness, springs.damping, springs.rest_length].map(|column| at(column, spring).to_f64());
+        let Law { stiffness, damping, rest_length } = springs.exact_law(spring);
         let both = inverse_mass + at(system.inverse_mass, neighbour).to_f64();
         let d = difference(position(neighbour), here);
         let length = Real::sqrt(dot(d, d));
         let (axis, across) = if length > 0.0 {
-            (d.map(|component| component / length), (1.0 - rest_length / length).max(0.0))
+            let [x, y, z] = d;
+            ([x / length, y / length, z / length], (1.0 - rest_length / length).at_least(0.0))
         } else {
             // Whatever direction it takes next, it is no stiffer than k in all of them.
-            ([0.0; 3], 1.0)
+            (const { [0.0; 3] }, 1.0)
         };
         add(&mut blocks.stiffness, both * stiffness, axis, across);
         add(&mut blocks.damping, both * damping, axis, 0.0);
@@ -156,7 +157,7 @@ fn blocks<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, inci
             blocks.stiffest = (both * stiffness, at(springs.number, spring));
         }
         if stiffness > 0.0 {
-            blocks.relaxation = blocks.relaxation.min(damping / stiffness);
+            blocks.relaxation = blocks.relaxation.at_most(damping / stiffness);
         }
     }
     blocks

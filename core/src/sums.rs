@@ -4,36 +4,26 @@ use core::ops::Add;
 
 /// Terms that are added one after the other before their sum joins the tree.
 const BLOCK: u32 = 64;
-/// Levels of the tree: enough for 2³² terms.
-const LEVELS: usize = 32;
 
 /// The sum of `count` terms: in blocks of 64, joined in a balanced tree that depends on `count` alone.
 ///
 /// Its rounding error grows with the logarithm of `count`, where a running sum's grows with `count` (Higham,
 /// *Accuracy and Stability of Numerical Algorithms*, §4.2).
+#[inline(always)]
 pub fn sum<T: Copy + Default + Add<Output = T>>(count: u32, term: impl Fn(u32) -> T) -> T {
-    // One pending partial sum a level; bit k of the number of blocks so far tells whether level k holds one.
-    let mut pending = [T::default(); LEVELS];
-    let mut blocks = 0_u32;
-    let mut start = 0_u32;
-    while start < count {
-        let end = start.saturating_add(BLOCK).min(count);
-        let mut joined = (start..end).fold(T::default(), |total, index| total + term(index));
-        for (level, partial) in pending.iter_mut().enumerate() {
-            if blocks >> level & 1 == 0 {
-                *partial = joined;
-                break;
-            }
-            joined = *partial + joined;
-        }
-        blocks += 1;
-        start = end;
+    if cfg!(feature = "compact") {
+        // One copy for whatever is summed.
+        return branch::<T, dyn Fn(u32) -> T>(0, count, &term);
     }
-    let mut total = T::default();
-    for (level, partial) in pending.iter().enumerate() {
-        if blocks >> level & 1 == 1 {
-            total = *partial + total;
-        }
-    }
-    total
+    branch(0, count, &term)
+}
+
+/// The sum of `count` terms from `first` on.
+fn branch<T: Copy + Default + Add<Output = T>, F: Fn(u32) -> T + ?Sized>(first: u32, count: u32, term: &F) -> T {
+    let Some(depth) = (count.saturating_sub(1) / BLOCK).checked_ilog2() else {
+        return (first..first + count).fold(T::default(), |total, index| total + term(index));
+    };
+    // As many blocks as a power of two has, and fewer than all, are a balanced tree of their own.
+    let left = BLOCK << depth;
+    branch(first, left, term) + branch(first + left, count - left, term)
 }

@@ -41,6 +41,13 @@ pub fn put<T>(items: &mut [T], index: u32, value: T) {
     }
 }
 
+/// Where the items of `index` are, in a list of which it is known where those of each index end; they begin where those of
+/// the index before end.
+#[cfg_attr(feature = "compact", inline(never))]
+pub fn items_of(ends: &[u32], index: u32) -> Range<u32> {
+    index.checked_sub(1).map_or(0, |before| at(ends, before))..at(ends, index)
+}
+
 /// The vector of particle `index`.
 #[cfg_attr(feature = "compact", inline(never))]
 #[cfg_attr(not(feature = "compact"), inline(always))]
@@ -48,7 +55,7 @@ pub fn fetch<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
     let ([x, y, z], index) = (columns, index as usize);
     // One way out for all three: a branch that is never taken, where three defaults would each be selected.
     let (Some(x), Some(y), Some(z)) = (x.get(index), y.get(index), z.get(index)) else {
-        return [T::default(); 3];
+        return [T::default(), T::default(), T::default()];
     };
     [*x, *y, *z]
 }
@@ -85,7 +92,20 @@ pub fn difference<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 /// s a
 #[inline(always)]
 pub fn scaled<R: Real>(s: R, a: [R; 3]) -> [R; 3] {
-    a.map(|component| s * component)
+    let [x, y, z] = a;
+    [s * x, s * y, s * z]
+}
+
+/// In `f64`.
+#[inline(always)]
+pub fn exact<R: Real>([x, y, z]: [R; 3]) -> [f64; 3] {
+    [x.to_f64(), y.to_f64(), z.to_f64()]
+}
+
+/// Whether all of it is 0.
+#[inline(always)]
+pub fn is_zero<R: Real>([x, y, z]: [R; 3]) -> bool {
+    x == R::ZERO && y == R::ZERO && z == R::ZERO
 }
 
 /// a + s b
@@ -104,7 +124,7 @@ pub fn along<R: Real>(a: [R; 3], s: R, b: [R; 3]) -> [R; 3] {
 pub fn across<R: Real>(a: [R; 3], n: [R; 3]) -> [R; 3] {
     let once = along(a, -dot(n, a), n);
     if size(once) <= R::from_f64(8.0) * R::EPSILON * size(a) {
-        return [R::ZERO; 3];
+        return const { [R::ZERO; 3] };
     }
     along(once, -dot(n, once), n)
 }
@@ -124,18 +144,20 @@ pub fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 
 /// out = a + s b, over whole columns.
 #[inline]
-pub fn advance_columns<R: Real>(out: ColumnsMut<'_, R>, a: Columns<'_, R>, s: R, b: Columns<'_, R>) {
-    for ((out, a), b) in out.into_iter().zip(a).zip(b) {
-        for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+pub fn advance_columns<R: Real>(out: &mut ColumnsMut<'_, R>, a: &ColumnsMut<'_, R>, s: R, b: &ColumnsMut<'_, R>) {
+    for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+        for ((out, a), b) in out.iter_mut().zip(a.iter()).zip(b.iter()) {
             *out = *a + s * *b;
         }
     }
 }
 
-/// out = a, over whole columns.
+/// out = a, from an index on.
 #[inline]
-pub fn copy_columns<T: Copy>(out: ColumnsMut<'_, T>, a: Columns<'_, T>) {
-    for (out, a) in out.into_iter().zip(a) {
+pub fn copy_columns<T: Copy>(out: &mut ColumnsMut<'_, T>, a: &ColumnsMut<'_, T>, first: u32) {
+    let first = first as usize;
+    for (out, a) in out.iter_mut().zip(a) {
+        let (out, a) = (out.get_mut(first..).unwrap_or_default(), a.get(first..).unwrap_or_default());
         for (out, a) in out.iter_mut().zip(a) {
             *out = *a;
         }

@@ -2,8 +2,8 @@
 
 use crate::Real;
 use crate::sums::sum;
-use crate::vectors::{at, difference, dot, scaled};
-use crate::world::{Coverage, Incidence, State, System};
+use crate::vectors::{at, difference, dot, exact, is_zero, scaled};
+use crate::world::{Coverage, Incidence, Law, State, System};
 
 /// Σ ½ m v² over the particles that are not held, J.
 pub fn kinetic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
@@ -15,7 +15,7 @@ pub fn kinetic_of<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u
     if !system.is_dynamic(slot) {
         return 0.0;
     }
-    let v = state.carried_velocity().exactly(slot);
+    let v = state.exact_velocity(slot);
     0.5 * at(system.mass, slot).to_f64() * dot(v, v)
 }
 
@@ -24,21 +24,22 @@ pub fn gravitational<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
     if !system.plan.gravity {
         return 0.0;
     }
-    let g = system.gravity.map(Real::to_f64);
+    let g = exact(system.gravity);
     sum(system.plan.particles, |slot| {
         if !system.is_dynamic(slot) {
             return 0.0;
         }
-        -at(system.mass, slot).to_f64() * dot(g, state.carried_position().exactly(slot))
+        -at(system.mass, slot).to_f64() * dot(g, state.exact_position(slot))
     })
 }
 
 /// Σ ½ k (l − l_rest)², J.
 pub fn elastic<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
     sum(system.plan.springs, |spring| {
-        let (length, _) = length_and_rate(system, state, spring);
-        let extension = length - at(system.springs.rest_length, spring).to_f64();
-        0.5 * at(system.springs.stiffness, spring).to_f64() * extension * extension
+        let (_, length, _) = stretch(state, at(system.springs.ends, spring));
+        let law = system.springs.exact_law(spring);
+        let extension = length - law.rest_length;
+        0.5 * law.stiffness * extension * extension
     })
 }
 
@@ -53,8 +54,8 @@ pub fn damping_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f
         return 0.0;
     }
     sum(system.plan.springs, |spring| {
-        let (_, rate) = length_and_rate(system, state, spring);
-        at(system.springs.damping, spring).to_f64() * rate * rate
+        let (.., rate) = stretch(state, at(system.springs.ends, spring));
+        system.springs.exact_law(spring).damping * rate * rate
     })
 }
 
@@ -64,8 +65,8 @@ pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
         return 0.0;
     }
     -sum(system.plan.attached, |slot| {
-        let v = state.carried_velocity().exactly(slot);
-        if system.is_dynamic(slot) || v == [0.0; 3] {
+        let v = state.exact_velocity(slot);
+        if system.is_dynamic(slot) || is_zero(v) {
             return 0.0;
         }
         let springs = system.springs.of_slot(slot);
@@ -76,22 +77,18 @@ pub fn pin_power<R: Real>(system: &System<'_, R>, state: &State<'_, R>) -> f64 {
 /// The force of a spring on the particle in `slot`, N.
 fn pull<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incidence: Incidence) -> [f64; 3] {
     let Incidence { neighbour, spring } = incidence;
-    let (length, rate) = length_and_rate(system, state, spring);
+    let (d, length, rate) = stretch(state, [slot, neighbour]);
     if length == 0.0 {
-        return [0.0; 3];
+        return const { [0.0; 3] };
     }
-    let d = difference(state.carried_position().exactly(neighbour), state.carried_position().exactly(slot));
-    let extension = length - at(system.springs.rest_length, spring).to_f64();
-    let stiffness = at(system.springs.stiffness, spring).to_f64();
-    let damping = at(system.springs.damping, spring).to_f64();
-    scaled((stiffness * extension + damping * rate) / length, d)
+    let Law { stiffness, damping, rest_length } = system.springs.exact_law(spring);
+    scaled((stiffness * (length - rest_length) + damping * rate) / length, d)
 }
 
-/// A spring's length, m, and how fast it grows, m/s.
-fn length_and_rate<R: Real>(system: &System<'_, R>, state: &State<'_, R>, spring: u32) -> (f64, f64) {
-    let [i, j] = at(system.springs.ends, spring);
-    let d = difference(state.carried_position().exactly(j), state.carried_position().exactly(i));
-    let v = difference(state.carried_velocity().exactly(j), state.carried_velocity().exactly(i));
+/// Along a spring from one end to the other, m; its length, m, and how fast that grows, m/s.
+fn stretch<R: Real>(state: &State<'_, R>, [i, j]: [u32; 2]) -> ([f64; 3], f64, f64) {
+    let d = difference(state.exact_position(j), state.exact_position(i));
+    let v = difference(state.exact_velocity(j), state.exact_velocity(i));
     let length = Real::sqrt(dot(d, d));
-    (length, if length > 0.0 { dot(v, d) / length } else { 0.0 })
+    (d, length, if length > 0.0 { dot(v, d) / length } else { 0.0 })
 }

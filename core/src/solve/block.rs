@@ -23,7 +23,7 @@ pub fn add_spring<R: Real>([xx, yy, zz, xy, xz, yz]: Symmetric<R>, [x, y, z]: [R
 #[inline(always)]
 pub fn subtract_spring<R: Real>(block: &mut Block<R>, n: [R; 3], s: R, t: R) {
     let [[xx, xy, xz, _], [yx, yy, yz, _], [zx, zy, zz, _]] = *block;
-    let [dxx, dyy, dzz, dxy, dxz, dyz] = add_spring([R::ZERO; 6], n, s, t);
+    let [dxx, dyy, dzz, dxy, dxz, dyz] = add_spring(const { [R::ZERO; 6] }, n, s, t);
     *block = [
         [xx - dxx, xy - dxy, xz - dxz, R::ZERO],
         [yx - dxy, yy - dyy, yz - dyz, R::ZERO],
@@ -79,40 +79,44 @@ pub fn take_apart<R: Real>([xx, yy, zz, xy, xz, yz]: Symmetric<R>) -> Option<(Pi
 
 /// b C⁻ᵀ D⁻¹
 #[inline(always)]
-pub fn divided<R: Real>(block: &Block<R>, [c_yx, c_zx, c_zy, x, y, z]: Pivot<R>) -> Block<R> {
-    block.map(|[a, b, c, _]| {
+pub fn divide<R: Real>(block: &mut Block<R>, [c_yx, c_zx, c_zy, x, y, z]: Pivot<R>) {
+    for row in block {
+        let [a, b, c, _] = *row;
         let b = b - a * c_yx;
         let c = c - a * c_zx - b * c_zy;
-        [a * x, b * y, c * z, R::ZERO]
-    })
+        *row = [a * x, b * y, c * z, R::ZERO];
+    }
 }
 
 /// b D
 #[inline(always)]
-pub fn times_diagonal<R: Real>(block: &Block<R>, [x, y, z]: [R; 3]) -> Block<R> {
-    block.map(|[a, b, c, _]| [a * x, b * y, c * z, R::ZERO])
+pub fn times_diagonal<R: Real>(mut block: Block<R>, [x, y, z]: [R; 3]) -> Block<R> {
+    for row in &mut block {
+        let [a, b, c, _] = *row;
+        *row = [a * x, b * y, c * z, R::ZERO];
+    }
+    block
 }
 
 /// m − a b
 #[inline(always)]
-pub fn minus_product<R: Real>(m: Block<R>, a: Block<R>, [x, y, z]: Block<R>) -> Block<R> {
-    let ([m_x, m_y, m_z], [a_x, a_y, a_z]) = (m, a);
-    let row = |[m, n, o, p]: [R; 4], [a, b, c, _]: [R; 4]| {
-        let ([x0, x1, x2, x3], [y0, y1, y2, y3], [z0, z1, z2, z3]) = (x, y, z);
-        [
+pub fn subtract_product<R: Real>(m: &mut Block<R>, a: &Block<R>, b: &Block<R>) {
+    let [[x0, x1, x2, x3], [y0, y1, y2, y3], [z0, z1, z2, z3]] = *b;
+    for (row, [a, b, c, _]) in m.iter_mut().zip(*a) {
+        let [m, n, o, p] = *row;
+        *row = [
             m - (a * x0 + b * y0 + c * z0),
             n - (a * x1 + b * y1 + c * z1),
             o - (a * x2 + b * y2 + c * z2),
             p - (a * x3 + b * y3 + c * z3),
-        ]
-    };
-    [row(m_x, a_x), row(m_y, a_y), row(m_z, a_z)]
+        ];
+    }
 }
 
 /// m − a bᵀ where that is symmetric.
 #[inline(always)]
 pub fn subtract_symmetric<R: Real>(block: &mut Symmetric<R>, a: &Block<R>, b: &Block<R>) {
-    let ([x, y, z], [u, v, w]) = (a.map(three), b.map(three));
+    let ([x, y, z], [u, v, w]) = (rows(a), rows(b));
     let [xx, yy, zz, xy, xz, yz] = *block;
     *block = [xx - dot(x, u), yy - dot(y, v), zz - dot(z, w), xy - dot(x, v), xz - dot(x, w), yz - dot(y, w)];
 }
@@ -120,20 +124,21 @@ pub fn subtract_symmetric<R: Real>(block: &mut Symmetric<R>, a: &Block<R>, b: &B
 /// v − b u
 #[inline(always)]
 pub fn subtract_rows<R: Real>([x, y, z]: [R; 3], block: &Block<R>, u: [R; 3]) -> [R; 3] {
-    let [a, b, c] = block.map(three);
+    let [a, b, c] = rows(block);
     [x - dot(a, u), y - dot(b, u), z - dot(c, u)]
 }
 
 /// v − bᵀ u
 #[inline(always)]
 pub fn subtract_columns<R: Real>(v: [R; 3], block: &Block<R>, [x, y, z]: [R; 3]) -> [R; 3] {
-    let [a, b, c] = block.map(three);
+    let [a, b, c] = rows(block);
     along(along(along(v, -x, a), -y, b), -z, c)
 }
 
 #[inline(always)]
-fn three<R>([a, b, c, _]: [R; 4]) -> [R; 3] {
-    [a, b, c]
+fn rows<R: Real>(block: &Block<R>) -> [[R; 3]; 3] {
+    let [[a, b, c, _], [d, e, f, _], [g, h, i, _]] = *block;
+    [[a, b, c], [d, e, f], [g, h, i]]
 }
 
 /// bᵀ

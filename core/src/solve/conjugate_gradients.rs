@@ -1,25 +1,13 @@
 //! Preconditioned conjugate gradients.
 
-use super::linearised::Linearisation;
 use super::preconditioner::Preconditioner;
 use super::residual::norm;
+use super::workspace::Scratch;
 use crate::Real;
 use crate::contact::Support;
 use crate::sums::sum;
 use crate::vectors::{along, at, dot, scaled};
 use crate::world::System;
-
-/// A linear system on its way to its solution, by slot.
-pub struct Unknowns<'a, R> {
-    /// The solution so far.
-    pub direction: &'a mut [[R; 3]],
-    /// What is left of the right-hand side.
-    pub rest: &'a mut [[R; 3]],
-    /// The search direction.
-    pub search: &'a mut [[R; 3]],
-    /// The matrix times that, and then what the preconditioner makes of the rest.
-    pub product: &'a mut [[R; 3]],
-}
 
 /// What a solve came to.
 #[derive(Clone, Copy, Debug, Default)]
@@ -41,66 +29,65 @@ impl Solved {
     }
 }
 
-/// Sets out from 0 for the solution of A·direction = −residual over the particles that are neither held nor supported.
-pub fn set_out<R: Real>(
-    system: &System<'_, R>,
-    support: &[Support<R>],
-    residual: &[[R; 3]],
-    unknowns: &mut Unknowns<'_, R>,
-) {
-    unknowns.direction.fill([R::ZERO; 3]);
-    for (rest, residual) in unknowns.rest.iter_mut().zip(residual) {
-        *rest = scaled(-R::ONE, *residual);
+impl<R: Real> Scratch<'_, R> {
+    /// Sets out from 0 for the solution of A·direction = −residual over the particles that are neither held nor supported.
+    pub fn set_out(&mut self, system: &System<'_, R>) {
+        self.direction.as_flattened_mut().fill(R::ZERO);
+        for (rest, residual) in self.spare.as_flattened_mut().iter_mut().zip(self.residual.as_flattened()) {
+            *rest = -R::ONE * *residual;
+        }
+        confine(system, self.support, self.spare);
     }
-    confine(system, support, unknowns.rest);
+
+    /// Goes on to a residual norm of `target`, in `most` iterations at most. (Hestenes and Stiefel 1952; with the planes'
+    /// supports filtered out as in Baraff and Witkin 1998, §5.3.)
+    pub fn go_on(&mut self, system: &System<'_, R>, preconditioner: Preconditioner, target: f64, most: u32) -> Solved {
+        let count = system.plan.attached;
+        let mut solved = Solved { residual: norm(system, self.spare), ..Solved::default() };
+        let mut energy = R::ZERO;
+        while solved.residual > target && solved.iterations < most {
+            self.precondition(preconditioner);
+            confine(system, self.support, self.product);
+            let next = inner_product(count, self.spare, self.product);
+            // In exact arithmetic the search directions are conjugate to each other.
+            let ratio = if solved.iterations == 0 { R::ZERO } else { next / energy };
+            for (search, preconditioned) in self.search.iter_mut().zip(self.product.iter()) {
+                let first = solved.iterations == 0;
+                *search = if first { *preconditioned } else { along(*preconditioned, ratio, *search) };
+            }
+            energy = next;
+            for ((product, search), mass) in self.product.iter_mut().zip(self.search.iter()).zip(system.mass) {
+                *product = scaled(*mass, *search);
+            }
+            self.add_product(system);
+            confine(system, self.support, self.product);
+            solved.iterations += 1;
+            let curvature = inner_product(count, self.search, self.product);
+            let length = energy / curvature;
+            if !(length.is_finite() && length > R::ZERO) {
+                solved.indefinite = true;
+                break;
+            }
+            go_along(self.direction, length, self.search);
+            go_along(self.spare, -length, self.product);
+            solved.residual = norm(system, self.spare);
+        }
+        solved.converged = solved.residual <= target;
+        solved
+    }
 }
 
-/// Goes on to a residual norm of `target`, in `most` iterations at most. (Hestenes and Stiefel 1952; with the planes'
-/// supports filtered out as in Baraff and Witkin 1998, §5.3.)
-pub fn conjugate_gradients<R: Real>(
-    system: &System<'_, R>,
-    matrix: &Linearisation<'_, R>,
-    support: &[Support<R>],
-    preconditioner: &mut Preconditioner<'_, '_, R>,
-    unknowns: &mut Unknowns<'_, R>,
-    target: f64,
-    most: u32,
-) -> Solved {
-    let Unknowns { direction, rest, search, product } = unknowns;
-    let count = system.plan.attached;
-    let mut solved = Solved { residual: norm(system, rest), ..Solved::default() };
-    let mut energy = R::ZERO;
-    while solved.residual > target && solved.iterations < most {
-        preconditioner.apply(rest, product);
-        confine(system, support, product);
-        let next = sum(count, |slot| dot(at(rest, slot), at(product, slot)));
-        // In exact arithmetic the search directions are conjugate to each other.
-        let ratio = if solved.iterations == 0 { R::ZERO } else { next / energy };
-        for (search, preconditioned) in search.iter_mut().zip(product.iter()) {
-            *search = if solved.iterations == 0 { *preconditioned } else { along(*preconditioned, ratio, *search) };
-        }
-        energy = next;
-        for ((product, search), mass) in product.iter_mut().zip(search.iter()).zip(system.mass) {
-            *product = scaled(*mass, *search);
-        }
-        matrix.add_product(system, search, product);
-        confine(system, support, product);
-        solved.iterations += 1;
-        let curvature = sum(count, |slot| dot(at(search, slot), at(product, slot)));
-        let length = energy / curvature;
-        if !(length.is_finite() && length > R::ZERO) {
-            solved.indefinite = true;
-            break;
-        }
-        let moved = direction.iter_mut().zip(rest.iter_mut());
-        for ((direction, rest), (search, product)) in moved.zip(search.iter().zip(product.iter())) {
-            *direction = along(*direction, length, *search);
-            *rest = along(*rest, -length, *product);
-        }
-        solved.residual = norm(system, rest);
+/// a·b
+#[inline(never)]
+fn inner_product<R: Real>(count: u32, a: &[[R; 3]], b: &[[R; 3]]) -> R {
+    sum(count, |slot| dot(at(a, slot), at(b, slot)))
+}
+
+/// a + s b, in place of a.
+fn go_along<R: Real>(a: &mut [[R; 3]], s: R, b: &[[R; 3]]) {
+    for (a, b) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
+        *a += s * *b;
     }
-    solved.converged = solved.residual <= target;
-    solved
 }
 
 /// Takes from a vector what is held or supported.
@@ -108,7 +95,7 @@ fn confine<R: Real>(system: &System<'_, R>, support: &[Support<R>], vector: &mut
     if system.plan.held > 0 {
         for (value, inverse_mass) in vector.iter_mut().zip(system.inverse_mass) {
             if *inverse_mass == R::ZERO {
-                *value = [R::ZERO; 3];
+                *value = const { [R::ZERO; 3] };
             }
         }
     }

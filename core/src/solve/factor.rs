@@ -4,12 +4,12 @@
 //! Large Sparse Positive Definite Systems*, 1981): the entries stay in place and no room is needed beside them.
 
 use super::block::{
-    Block, Symmetric, add_spring, divided, minus_product, solve_diagonal, solve_lower, solve_upper, subtract_columns,
+    Block, Symmetric, divide, solve_diagonal, solve_lower, solve_upper, subtract_columns, subtract_product,
     subtract_rows, subtract_spring, subtract_symmetric, take_apart, times_diagonal, transposed,
 };
-use super::linearised::Linearisation;
-use super::ordering::NONE;
+use super::room::Direct;
 use super::structure::Structure;
+use super::workspace::Scratch;
 use crate::Real;
 use crate::contact::Support;
 use crate::vectors::{at, put};
@@ -27,50 +27,40 @@ pub struct Factor<'a, R> {
     pub solution: &'a mut [[R; 3]],
 }
 
-impl<R: Real> Factor<'_, R> {
-    /// Assembles the matrix and factorises it. False if it is not positive definite, and then there is no factor.
-    pub fn make(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>, support: &[Support<R>]) -> bool {
-        self.assemble(system, matrix);
+impl<R: Real> Scratch<'_, R> {
+    /// Makes the factor of the matrix. If that is not positive definite there is none.
+    pub fn factorise(&mut self, system: &System<'_, R>) {
+        self.add_up_diagonal(system);
+        let Direct { factor, is_made, .. } = &mut self.direct;
+        for (entry, slot) in factor.diagonal.iter_mut().zip(factor.structure.slot_at) {
+            *entry = at(self.blocks, *slot);
+        }
+        factor.blocks.as_flattened_mut().as_flattened_mut().fill(R::ZERO);
+        let springs = factor.structure.entry_of.iter().take(system.springs.ends.len());
+        for (entry, (axis, [stretch, across])) in springs.zip(self.axis.iter().zip(self.resistance.iter())) {
+            // There is none where an end is held.
+            if let Some(block) = factor.blocks.get_mut(*entry as usize) {
+                subtract_spring(block, *axis, *stretch, *across);
+            }
+        }
         if system.support.is_some() {
-            self.confine(system, support);
+            factor.confine(system, self.support);
         }
-        self.factorise()
+        *is_made = factor.factorise();
     }
+}
 
-    fn assemble(&mut self, system: &System<'_, R>, matrix: &Linearisation<'_, R>) {
-        self.blocks.fill([[R::ZERO; 4]; 3]);
-        for (entry, slot) in self.diagonal.iter_mut().zip(self.structure.slot_at) {
-            let m = at(system.mass, *slot);
-            *entry = [m, m, m, R::ZERO, R::ZERO, R::ZERO];
-        }
-        let springs = system.springs.ends.iter().zip(self.structure.entry_of);
-        for ((ends, entry), (&axis, &[stretch, across])) in springs.zip(matrix.axis.iter().zip(matrix.resistance)) {
-            for slot in ends {
-                let turn = at(self.structure.turn_of, *slot);
-                if let Some(block) = self.diagonal.get_mut(turn as usize) {
-                    *block = add_spring(*block, axis, stretch, across);
-                }
-            }
-            if *entry != NONE
-                && let Some(block) = self.blocks.get_mut(*entry as usize)
-            {
-                subtract_spring(block, axis, stretch, across);
-            }
-        }
-    }
-
+impl<R: Real> Factor<'_, R> {
     /// Takes from rows and columns the directions that planes hold up; there the matrix becomes the mass.
     fn confine(&mut self, system: &System<'_, R>, support: &[Support<R>]) {
         for (turn, slot) in (0..).zip(self.structure.slot_at.iter().take(self.diagonal.len())) {
             let held = at(support, *slot);
-            let entries = self.structure.column(turn);
-            let rows = self.structure.rows(entries.clone());
+            let (entries, rows) = self.structure.column(turn);
             let column = self.blocks.get_mut(entries).unwrap_or_default();
             for (block, row) in column.iter_mut().zip(rows) {
                 let row_held = at(support, at(self.structure.slot_at, *row));
                 if held != Support::None || row_held != Support::None {
-                    let left = transposed(allowed(*block, held));
-                    *block = transposed(allowed(left, row_held));
+                    allow_between(block, held, row_held);
                 }
             }
             if held != Support::None
@@ -81,34 +71,33 @@ impl<R: Real> Factor<'_, R> {
         }
     }
 
+    /// False if it is not positive definite.
     fn factorise(&mut self) -> bool {
         let Self { structure, blocks, diagonal, .. } = self;
         let turns = diagonal.len() as u32;
         for turn in 0..turns {
-            let entries = structure.column(turn);
-            let rows = structure.rows(entries.clone());
+            let (entries, rows) = structure.column(turn);
             let Some((pivot, d)) = take_apart(at(diagonal, turn)) else { return false };
             put(diagonal, turn, pivot);
             let Some((done, after)) = blocks.split_at_mut_checked(entries.end) else { return false };
             let column = done.get_mut(entries.clone()).unwrap_or_default();
             for block in column.iter_mut() {
-                *block = divided(block, pivot);
+                divide(block, pivot);
             }
             let mut rest = column.iter().zip(rows);
             while let Some((block, row)) = rest.next() {
-                let scaled = times_diagonal(block, d);
+                let scaled = times_diagonal(*block, d);
                 let transpose = transposed(scaled);
                 if let Some(target) = diagonal.get_mut(*row as usize) {
                     subtract_symmetric(target, block, &scaled);
                 }
                 // The column of `row` has an entry for each one below it here, both in ascending order.
-                let targets = structure.column(*row);
-                let target_rows = structure.rows(targets.clone());
+                let (targets, target_rows) = structure.column(*row);
                 let target_blocks = after.get_mut(targets.start - entries.end..targets.end - entries.end);
                 let mut targets = target_rows.iter().zip(target_blocks.unwrap_or_default());
                 for (below, row) in rest.clone() {
                     if let Some((_, target)) = targets.find(|(target_row, _)| *target_row == row) {
-                        *target = minus_product(*target, *below, transpose);
+                        subtract_product(target, below, &transpose);
                     }
                 }
             }
@@ -119,28 +108,26 @@ impl<R: Real> Factor<'_, R> {
     /// Writes A⁻¹ r to `out`, both by slot; 0 where held.
     pub fn solve(&mut self, r: &[[R; 3]], out: &mut [[R; 3]]) {
         let Self { structure, blocks, diagonal, solution } = self;
-        let turns = diagonal.len() as u32;
         for (value, slot) in solution.iter_mut().zip(structure.slot_at) {
             *value = at(r, *slot);
         }
-        for turn in 0..turns {
-            let pivot = at(diagonal, turn);
-            let known = solve_lower(pivot, at(solution, turn));
-            let entries = structure.column(turn);
-            for (row, block) in structure.rows(entries.clone()).iter().zip(blocks.get(entries).unwrap_or_default()) {
-                put(solution, *row, subtract_rows(at(solution, *row), block, known));
+        for (turn, pivot) in (0..).zip(diagonal.iter()) {
+            let known = solve_lower(*pivot, at(solution, turn));
+            put(solution, turn, solve_diagonal(*pivot, known));
+            let (entries, rows) = structure.column(turn);
+            for (row, block) in rows.iter().zip(blocks.get(entries).unwrap_or_default()) {
+                if let Some(value) = solution.get_mut(*row as usize) {
+                    *value = subtract_rows(*value, block, known);
+                }
             }
-            put(solution, turn, solve_diagonal(pivot, known));
         }
-        for turn in (0..turns).rev() {
-            let entries = structure.column(turn);
-            let blocks = blocks.get(entries.clone()).unwrap_or_default();
-            let value = structure
-                .rows(entries)
-                .iter()
-                .zip(blocks)
-                .fold(at(solution, turn), |value, (row, block)| subtract_columns(value, block, at(solution, *row)));
-            put(solution, turn, solve_upper(at(diagonal, turn), value));
+        for (turn, pivot) in (0..diagonal.len() as u32).zip(diagonal.iter()).rev() {
+            let (entries, rows) = structure.column(turn);
+            let mut value = at(solution, turn);
+            for (row, block) in rows.iter().zip(blocks.get(entries).unwrap_or_default()) {
+                value = subtract_columns(value, block, at(solution, *row));
+            }
+            put(solution, turn, solve_upper(*pivot, value));
         }
         for (value, turn) in out.iter_mut().zip(structure.turn_of) {
             *value = at(solution, *turn);
@@ -149,20 +136,31 @@ impl<R: Real> Factor<'_, R> {
 }
 
 /// b P, where P is what a support allows.
-fn allowed<R: Real>(block: Block<R>, support: Support<R>) -> Block<R> {
-    block.map(|[a, b, c, _]| {
+fn allow_rows<R: Real>(block: &mut Block<R>, support: Support<R>) {
+    for row in block {
+        let [a, b, c, _] = *row;
         let [a, b, c] = support.allow([a, b, c]);
-        [a, b, c, R::ZERO]
-    })
+        *row = [a, b, c, R::ZERO];
+    }
+}
+
+/// Q b P, where P is what the first of two supports allows and Q what the second does.
+fn allow_between<R: Real>(block: &mut Block<R>, first: Support<R>, second: Support<R>) {
+    allow_rows(block, first);
+    *block = transposed(*block);
+    allow_rows(block, second);
+    *block = transposed(*block);
 }
 
 /// P b P + m (I − P).
 fn confined<R: Real>([xx, yy, zz, xy, xz, yz]: Symmetric<R>, support: Support<R>, m: R) -> Symmetric<R> {
     let o = R::ZERO;
-    let block = allowed([[xx, xy, xz, o], [xy, yy, yz, o], [xz, yz, zz, o]], support);
-    let [[xx, xy, xz, _], [_, yy, yz, _], [_, _, zz, _]] = allowed(transposed(block), support);
-    let unit = [[R::ONE, o, o, o], [o, R::ONE, o, o], [o, o, R::ONE, o]];
-    let [[pxx, pxy, pxz, _], [_, pyy, pyz, _], [_, _, pzz, _]] = allowed(unit, support);
+    let mut block = [[xx, xy, xz, o], [xy, yy, yz, o], [xz, yz, zz, o]];
+    allow_between(&mut block, support, support);
+    let [[xx, ..], [xy, yy, ..], [xz, yz, zz, _]] = block;
+    let mut allowed = [[R::ONE, o, o, o], [o, R::ONE, o, o], [o, o, R::ONE, o]];
+    allow_rows(&mut allowed, support);
+    let [[pxx, pxy, pxz, _], [_, pyy, pyz, _], [_, _, pzz, _]] = allowed;
     [
         xx + m * (R::ONE - pxx),
         yy + m * (R::ONE - pyy),

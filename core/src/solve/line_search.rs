@@ -6,7 +6,7 @@ use super::workspace::Scratch;
 use crate::Real;
 use crate::sums::sum;
 use crate::types::StepReport;
-use crate::vectors::{along, at, dot, fetch, put, read, store};
+use crate::vectors::{along, at, dot};
 use crate::world::View;
 
 /// Halvings of one line search.
@@ -25,8 +25,8 @@ pub fn search_line<R: Real>(
 ) -> Option<Measured> {
     let count = view.system.plan.attached;
     let descent = -slope(scratch, count);
-    for slot in 0..count {
-        put(scratch.spare, slot, fetch(read(&view.next.velocity), slot));
+    for (slot, start) in (0..count).zip(scratch.spare.iter_mut()) {
+        *start = view.next.velocity_of(slot);
     }
     let mut fraction = R::ONE;
     for _ in 0..MOST_HALVINGS {
@@ -45,10 +45,10 @@ pub fn search_line<R: Real>(
 
 /// Sets the velocities to those so far along the direction.
 fn go<R: Real>(view: &mut View<'_, R>, scratch: &Scratch<'_, R>, fraction: R) {
-    for slot in 0..view.system.plan.attached {
-        let (start, p) = (at(scratch.spare, slot), at(scratch.direction, slot));
-        let velocity = if fraction > R::ZERO { along(start, fraction, p) } else { start };
-        store(&mut view.next.velocity, slot, velocity);
+    let ways = scratch.spare.iter().zip(scratch.direction.iter());
+    for (slot, (start, p)) in (0..view.system.plan.attached).zip(ways) {
+        let velocity = if fraction > R::ZERO { along(*start, fraction, *p) } else { *start };
+        view.next.set_velocity(slot, velocity);
     }
 }
 

@@ -1,15 +1,14 @@
 //! The linear system of a Newton iteration, solved by whichever of the two ways is cheaper.
 
-use super::conjugate_gradients::{Solved, Unknowns, conjugate_gradients, set_out};
-use super::linearised::Linearisation;
-use super::preconditioner::{Preconditioner, invert_blocks};
+use super::conjugate_gradients::Solved;
+use super::preconditioner::Preconditioner;
 use super::workspace::Scratch;
 use crate::Real;
 use crate::types::StepReport;
 use crate::world::System;
 
 /// Improvements of a solution by the very factor of its matrix: each takes from the residual all but what rounding adds.
-const MOST_REFINEMENTS: u32 = 10;
+const MOST_REFINEMENTS: f64 = 10.0;
 
 /// Solves A·direction = −residual to a residual norm of `target`, for the matrix that the scratch holds. Where a factor
 /// is worth its work it comes first; conjugate gradients around it verify its solution, and improve one that rounding or
@@ -20,43 +19,40 @@ pub fn solve<R: Real>(
     target: f64,
     report: &mut StepReport,
 ) -> Solved {
-    let Scratch { direction, residual, spare, search, product, blocks, support, axis, resistance, direct, .. } =
-        scratch;
-    let matrix = Linearisation { axis, resistance };
-    let mut unknowns = Unknowns { direction, rest: spare, search, product };
-    set_out(system, support, residual, &mut unknowns);
-    let mut go_on = |mut preconditioner: Preconditioner<'_, '_, R>, most: u32, report: &mut StepReport| {
-        let solved = conjugate_gradients(system, &matrix, support, &mut preconditioner, &mut unknowns, target, most);
+    scratch.set_out(system);
+    let go_on = |scratch: &mut Scratch<'_, R>, preconditioner, most: f64, report: &mut StepReport| {
+        let solved = scratch.go_on(system, preconditioner, target, most as u32);
         report.linear_iterations = report.linear_iterations.saturating_add(solved.iterations);
         solved
     };
-    if !direct.is_chosen {
-        let most = direct.solver.patience.min(most_iterations(system.plan.attached)) as u32;
-        invert_blocks(system, &matrix, blocks);
-        let solved = go_on(Preconditioner::Blocks(blocks), most, report);
-        if solved.is_final() || !direct.solver.is_possible() {
+    let most = most_iterations(system.plan.attached);
+    let solver = scratch.direct.solver;
+    if !scratch.direct.is_chosen {
+        scratch.invert_blocks(system);
+        let solved = go_on(scratch, Preconditioner::Blocks, solver.patience.min(most), report);
+        if solved.is_final() || !solver.is_possible() {
             return solved;
         }
         // They have taken as long as a factor would have: it is about time for one.
-        direct.is_chosen = true;
+        scratch.direct.is_chosen = true;
     }
     // The factor of an earlier iteration may still be near enough.
-    if direct.is_made && direct.solver.renewal > 1.0 {
-        let solved = go_on(Preconditioner::Factor(&mut direct.factor), direct.solver.renewal as u32, report);
+    if scratch.direct.is_made && solver.renewal > 1.0 {
+        let solved = go_on(scratch, Preconditioner::Factor, solver.renewal, report);
         if solved.is_final() {
             return solved;
         }
     }
     report.factorisations = report.factorisations.saturating_add(1);
-    direct.is_made = direct.factor.make(system, &matrix, support);
-    if direct.is_made {
-        let solved = go_on(Preconditioner::Factor(&mut direct.factor), MOST_REFINEMENTS, report);
+    scratch.factorise(system);
+    if scratch.direct.is_made {
+        let solved = go_on(scratch, Preconditioner::Factor, MOST_REFINEMENTS, report);
         if solved.is_final() {
             return solved;
         }
     }
-    invert_blocks(system, &matrix, blocks);
-    go_on(Preconditioner::Blocks(blocks), most_iterations(system.plan.attached) as u32, report)
+    scratch.invert_blocks(system);
+    go_on(scratch, Preconditioner::Blocks, most, report)
 }
 
 /// In exact arithmetic there are as many iterations as unknowns at most; rounding may double them.

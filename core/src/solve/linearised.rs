@@ -1,21 +1,14 @@
-//! The matrix of an implicit step, kept spring by spring.
+//! The matrix of an implicit step, kept spring by spring: the springs linearised about a state, A = M + dt·C + dt²·K, made
+//! positive definite.
+//!
+//! A spring with force density q = (k (l − l_rest) + k_d l̇)/l resists a relative velocity u of its ends with
+//! (dt·k_d + dt²·k) d̂(d̂·u) + dt²·max(0, q) (u − d̂(d̂·u)). The second part is negative in a compressed spring, which
+//! would rather buckle: there it is left out (Teran et al. 2005, *Robust quasistatic finite elements*), unless asked for.
 
-use super::evaluate::Evaluated;
+use super::workspace::Scratch;
 use crate::Real;
-use crate::vectors::{along, at, difference, dot, put, scaled};
+use crate::vectors::{along, at, difference, dot, is_zero, scaled};
 use crate::world::System;
-
-/// The springs linearised about a state: A = M + dt·C + dt²·K, made positive definite.
-///
-/// A spring with force density q = (k (l − l_rest) + k_d l̇)/l resists a relative velocity u of its ends with
-/// (dt·k_d + dt²·k) d̂(d̂·u) + dt²·max(0, q) (u − d̂(d̂·u)). The second part is negative in a compressed spring, which
-/// would rather buckle: there it is left out (Teran et al. 2005, *Robust quasistatic finite elements*), unless asked for.
-pub struct Linearisation<'a, R> {
-    /// d̂
-    pub axis: &'a [[R; 3]],
-    /// What a spring resists with along d̂ more than across it, and across it, kg.
-    pub resistance: &'a [[R; 2]],
-}
 
 /// What of the springs' resistance a linearisation keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,42 +21,41 @@ pub enum Keep {
     All,
 }
 
-/// Linearises about the state that the springs were evaluated in.
-pub fn linearise<R: Real>(
-    system: &System<'_, R>,
-    evaluated: &Evaluated<'_, R>,
-    resistance: &mut [[R; 2]],
-    dt: R,
-    keep: Keep,
-) {
-    let springs = system.springs;
-    let square = dt * dt;
-    let parameters = springs.stiffness.iter().zip(springs.damping).zip(springs.rest_length);
-    let evaluated = evaluated.axis.iter().zip(evaluated.force_density.iter());
-    for ((resistance, (axis, q)), ((k, k_d), rest_length)) in resistance.iter_mut().zip(evaluated).zip(parameters) {
-        let rate = if keep == Keep::Stiffness { R::ZERO } else { *k_d };
-        let across = if *axis == [R::ZERO; 3] {
-            // Without a direction it resists all alike, if it would at this length at all.
-            if *rest_length > R::ZERO { R::ZERO } else { *k }
-        } else if keep == Keep::All {
-            *q
-        } else {
-            q.at_least(R::ZERO)
-        };
-        let across = square * across;
-        *resistance = [dt * rate + square * *k - across, across];
+impl<R: Real> Scratch<'_, R> {
+    /// Linearises about the state that the springs were evaluated in.
+    pub fn linearise(&mut self, system: &System<'_, R>, dt: R, keep: Keep) {
+        let springs = system.springs;
+        let square = dt * dt;
+        let parameters = springs.stiffness.iter().zip(springs.damping).zip(springs.rest_length);
+        let evaluated = self.axis.iter().zip(self.force_density.iter());
+        let resistances = self.resistance.iter_mut();
+        for ((resistance, (axis, q)), ((k, k_d), rest_length)) in resistances.zip(evaluated).zip(parameters) {
+            let rate = if keep == Keep::Stiffness { R::ZERO } else { *k_d };
+            let across = if is_zero(*axis) {
+                // Without a direction it resists all alike, if it would at this length at all.
+                if *rest_length > R::ZERO { R::ZERO } else { *k }
+            } else if keep == Keep::All {
+                *q
+            } else {
+                q.at_least(R::ZERO)
+            };
+            let across = square * across;
+            *resistance = [dt * rate + square * *k - across, across];
+        }
     }
-}
 
-impl<R: Real> Linearisation<'_, R> {
-    /// Adds (A − M) u to `out`. Slots that are held get what the springs pull at them with.
-    pub fn add_product(&self, system: &System<'_, R>, u: &[[R; 3]], out: &mut [[R; 3]]) {
-        let springs = system.springs.ends.iter().zip(self.axis.iter().zip(self.resistance));
+    /// Adds A − M times the search direction to the product. Slots that are held get what the springs pull at them with.
+    pub fn add_product(&mut self, system: &System<'_, R>) {
+        let springs = system.springs.ends.iter().zip(self.axis.iter().zip(self.resistance.iter()));
         for (&[i, j], (axis, &[stretch, across])) in springs {
-            let relative = difference(at(u, i), at(u, j));
+            let relative = difference(at(self.search, i), at(self.search, j));
             let pull = along(scaled(across, relative), stretch * dot(*axis, relative), *axis);
-            put(out, i, along(at(out, i), R::ONE, pull));
-            put(out, j, along(at(out, j), -R::ONE, pull));
+            if let Some(product) = self.product.get_mut(i as usize) {
+                *product = along(*product, R::ONE, pull);
+            }
+            if let Some(product) = self.product.get_mut(j as usize) {
+                *product = along(*product, -R::ONE, pull);
+            }
         }
     }
 }

@@ -1,10 +1,9 @@
 //! Newton's method for the velocities at the end of a step.
 
 use super::conjugate_gradients::Solved;
-use super::evaluate::Evaluated;
 use super::line_search::search_line;
 use super::linear::solve;
-use super::linearised::{Keep, linearise};
+use super::linearised::Keep;
 use super::residual::{Measured, residual};
 use super::start::start;
 use super::workspace::Scratch;
@@ -97,7 +96,6 @@ fn solve_keeping<R: Real>(
     target: f64,
     report: &mut StepReport,
 ) -> Solved {
-    let evaluated = Evaluated { axis: scratch.axis, force_density: scratch.force_density };
-    linearise(&view.system, &evaluated, scratch.resistance, dt, keep);
+    scratch.linearise(&view.system, dt, keep);
     solve(&view.system, scratch, target, report)
 }

@@ -1,14 +1,13 @@
 //! Implicit Euler's equation, linearised once.
 
-use super::evaluate::Evaluated;
 use super::linear::solve;
-use super::linearised::{Keep, Linearisation, linearise};
+use super::linearised::Keep;
 use super::newton::Tolerance;
 use super::start::start;
 use super::workspace::Scratch;
 use crate::Real;
 use crate::types::StepReport;
-use crate::vectors::{advance_columns, along, at, dot, fetch, lend, put, read, scaled, store};
+use crate::vectors::{advance_columns, along, dot, scaled};
 use crate::world::View;
 
 /// Solves (M + dt·C + dt²·K)(v' − v) = dt (f(x, v) − dt·K v), the equation linearised once about the state now
@@ -22,36 +21,35 @@ pub fn one_linearisation<R: Real>(
     let mut report = StepReport { iterations: 1, ..StepReport::default() };
     start(view, dt, scratch, &mut report);
     let View { system, current, next, .. } = view;
-    let (position, velocity) = (read(&current.position), read(&current.velocity));
-    let mut evaluated = Evaluated { axis: scratch.axis, force_density: scratch.force_density };
-    evaluated.springs(system, position, velocity, dt, scratch.blocks);
+    scratch.evaluate(system, current, dt);
     // The matrix holds dt²·K alone at first, so that its product with v is the right-hand side's.
-    linearise(system, &evaluated, scratch.resistance, dt, Keep::Stiffness);
+    scratch.linearise(system, dt, Keep::Stiffness);
     for (slot, known) in (0..).zip(scratch.search.iter_mut()) {
-        *known = fetch(velocity, slot);
+        *known = current.velocity_of(slot);
     }
-    scratch.product.fill([R::ZERO; 3]);
-    let matrix = Linearisation { axis: evaluated.axis, resistance: scratch.resistance };
-    matrix.add_product(system, scratch.search, scratch.product);
+    scratch.product.as_flattened_mut().fill(R::ZERO);
+    scratch.add_product(system);
     let mut size = 0.0;
-    for slot in 0..system.plan.attached {
-        // `start` has left the accelerations in the direction.
-        let impulse = scaled(dt * at(system.mass, slot), at(scratch.direction, slot));
-        let stretched = at(scratch.product, slot);
-        let right = if system.is_dynamic(slot) { along(impulse, -R::ONE, stretched) } else { [R::ZERO; 3] };
-        let right = at(scratch.support, slot).allow(right);
-        size += at(system.inverse_mass, slot).to_f64() * dot(right, right).to_f64();
-        put(scratch.residual, slot, scaled(-R::ONE, right));
+    // `start` has left the accelerations in the direction.
+    let known = scratch.direction.iter().zip(scratch.product.iter()).zip(scratch.support.iter());
+    let masses = system.mass.iter().zip(system.inverse_mass).take(system.plan.attached as usize);
+    let residuals = scratch.residual.iter_mut();
+    for ((residual, ((acceleration, stretched), support)), (mass, inverse_mass)) in residuals.zip(known).zip(masses) {
+        let impulse = scaled(dt * *mass, *acceleration);
+        let right = if *inverse_mass > R::ZERO { along(impulse, -R::ONE, *stretched) } else { const { [R::ZERO; 3] } };
+        let right = support.allow(right);
+        size += inverse_mass.to_f64() * dot(right, right).to_f64();
+        *residual = scaled(-R::ONE, right);
     }
-    linearise(system, &evaluated, scratch.resistance, dt, Keep::Definite);
+    scratch.linearise(system, dt, Keep::Definite);
     let size = Real::sqrt(size);
     let solved = solve(system, scratch, tolerance.0.max(R::EPSILON.to_f64()) * size, &mut report);
     report.converged = solved.converged;
     report.residual = if size > 0.0 { solved.residual / size } else { 0.0 };
-    for slot in 0..system.plan.attached {
-        store(&mut next.velocity, slot, along(fetch(velocity, slot), R::ONE, at(scratch.direction, slot)));
+    for (slot, change) in (0..system.plan.attached).zip(scratch.direction.iter()) {
+        next.set_velocity(slot, along(current.velocity_of(slot), R::ONE, *change));
     }
-    advance_columns(lend(&mut next.position), position, dt, read(&next.velocity));
+    advance_columns(&mut next.position, &current.position, dt, &next.velocity);
     next.forget_residuals_from(0);
     report
 }

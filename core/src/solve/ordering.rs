@@ -5,7 +5,7 @@
 //! Trees, ropes and chains get an order without any fill.
 
 use crate::Real;
-use crate::vectors::{at, put};
+use crate::vectors::{at, items_of, put};
 use crate::world::System;
 
 /// No slot, no particle.
@@ -30,10 +30,17 @@ pub struct Node {
     elements: u32,
 }
 
+impl Node {
+    /// Of no slot.
+    const NOWHERE: Self = Self { previous: 0, next: 0, degree: 0, first: NONE, met: NONE, slots: 0, elements: 0 };
+}
+
 /// What an ordering works on and what it comes to.
 pub struct Ordering<'a> {
     /// By slot.
     pub nodes: &'a mut [Node],
+    /// Takes what is written past them.
+    pub nowhere: Node,
     /// Two a spring, laid out as the incidences are.
     pub links: &'a mut [u32],
     /// When each slot is eliminated; [`NONE`] where held.
@@ -62,7 +69,7 @@ impl Ordering<'_> {
         }
         let (mut turn, mut filled, mut degree) = (0, 0, 0);
         while turn < free && degree < all {
-            let slot = self.first(degree);
+            let slot = self.node(degree).first;
             if slot == NONE {
                 degree += 1;
                 continue;
@@ -79,37 +86,37 @@ impl Ordering<'_> {
         Some(free)
     }
 
-    fn node(&self, slot: u32) -> Node {
-        at(self.nodes, slot)
+    #[cfg_attr(feature = "compact", inline(never))]
+    fn node(&self, slot: u32) -> &Node {
+        self.nodes.get(slot as usize).unwrap_or(&Node::NOWHERE)
     }
 
-    fn change(&mut self, slot: u32, change: impl FnOnce(&mut Node)) {
-        if let Some(node) = self.nodes.get_mut(slot as usize) {
-            change(node);
-        }
+    #[cfg_attr(feature = "compact", inline(never))]
+    fn node_mut(&mut self, slot: u32) -> &mut Node {
+        self.nodes.get_mut(slot as usize).unwrap_or(&mut self.nowhere)
     }
 
-    fn first(&self, degree: u32) -> u32 {
-        self.nodes.get(degree as usize).map_or(NONE, |node| node.first)
+    #[cfg_attr(feature = "compact", inline(never))]
+    fn link_at(&self, link: u32) -> u32 {
+        at(self.links, link)
     }
 
     /// Links each free slot to its free neighbours, once to each.
     fn link<R: Real>(&mut self, system: &System<'_, R>) {
-        for node in self.nodes.iter_mut() {
-            *node = Node { met: NONE, first: NONE, ..Node::default() };
-        }
+        self.nodes.fill(Node::NOWHERE);
         let mut start = 0;
         for (slot, incidences) in system.springs.by_slot(system.plan.attached) {
             let mut slots = 0;
             for incidence in incidences.iter().filter(|_| system.is_dynamic(slot)) {
                 let neighbour = incidence.neighbour;
                 if system.is_dynamic(neighbour) && self.node(neighbour).met != slot {
-                    self.change(neighbour, |node| node.met = slot);
+                    self.node_mut(neighbour).met = slot;
                     put(self.links, start + slots, neighbour);
                     slots += 1;
                 }
             }
-            self.change(slot, |node| (node.slots, node.degree) = (slots, slots));
+            let node = self.node_mut(slot);
+            (node.slots, node.degree) = (slots, slots);
             start += incidences.len() as u32;
         }
         // Rounds are counted from 1.
@@ -118,52 +125,52 @@ impl Ordering<'_> {
 
     /// Puts a slot first among those of a degree.
     fn list(&mut self, slot: u32, degree: u32) {
-        let next = self.first(degree);
-        self.change(slot, |node| (node.previous, node.next, node.degree) = (NONE, next, degree));
-        self.change(next, |node| node.previous = slot);
-        self.change(degree, |node| node.first = slot);
+        let next = core::mem::replace(&mut self.node_mut(degree).first, slot);
+        let node = self.node_mut(slot);
+        (node.previous, node.next, node.degree) = (NONE, next, degree);
+        self.node_mut(next).previous = slot;
     }
 
     fn unlist(&mut self, slot: u32) {
-        let Node { previous, next, degree, .. } = self.node(slot);
-        self.change(next, |node| node.previous = previous);
+        let Node { previous, next, degree, .. } = *self.node(slot);
+        self.node_mut(next).previous = previous;
         if previous == NONE {
-            self.change(degree, |node| node.first = next);
+            self.node_mut(degree).first = next;
         } else {
-            self.change(previous, |node| node.next = next);
+            self.node_mut(previous).next = next;
         }
     }
 
     fn links_of<R: Real>(system: &System<'_, R>, slot: u32) -> u32 {
-        slot.checked_sub(1).map_or(0, |before| at(system.springs.incidence_end, before))
+        items_of(system.springs.incidence_end, slot).start
     }
 
     /// Writes the slots that eliminating one joins to each other from `filled` on, and where they end. The elements that
     /// it was part of are part of its own from now on.
     fn join<R: Real>(&mut self, system: &System<'_, R>, slot: u32, round: u32, filled: u32) -> Option<u32> {
-        let Node { slots, elements, .. } = self.node(slot);
+        let Node { slots, elements, .. } = *self.node(slot);
         let start = Self::links_of(system, slot);
         let mut end = filled;
-        self.change(slot, |node| node.met = round);
+        self.node_mut(slot).met = round;
         for link in start..start + slots {
-            end = self.meet(at(self.links, link), round, end)?;
+            end = self.meet(self.link_at(link), round, end)?;
         }
         for link in start + slots..start + slots + elements {
-            let element = at(self.links, link);
+            let element = self.link_at(link);
             let column_end = at(self.column_end, at(self.turn_of, element));
             for row in column_end - self.node(element).degree..column_end {
                 end = self.meet(at(self.rows, row), round, end)?;
             }
         }
-        self.change(slot, |node| (node.previous, node.degree) = (0, end - filled));
+        let node = self.node_mut(slot);
+        (node.previous, node.degree) = (0, end - filled);
         Some(end)
     }
 
     fn meet(&mut self, slot: u32, round: u32, end: u32) -> Option<u32> {
-        if self.node(slot).met == round {
+        if core::mem::replace(&mut self.node_mut(slot).met, round) == round {
             return Some(end);
         }
-        self.change(slot, |node| node.met = round);
         *self.rows.get_mut(end as usize)? = slot;
         Some(end + 1)
     }
@@ -182,11 +189,11 @@ impl Ordering<'_> {
         for row in filled..end {
             let slot = at(self.rows, row);
             self.unlist(slot);
-            let former = self.node(slot);
+            let former = *self.node(slot);
             let start = Self::links_of(system, slot);
             let (mut kept, mut left_over) = (start, 0);
             for link in start..start + former.slots {
-                let neighbour = at(self.links, link);
+                let neighbour = self.link_at(link);
                 // Whom the element joins needs no other link.
                 if self.node(neighbour).met != round {
                     put(self.links, kept, neighbour);
@@ -195,8 +202,8 @@ impl Ordering<'_> {
             }
             let slots = kept - start;
             for link in start + former.slots..start + former.slots + former.elements {
-                let other = at(self.links, link);
-                let Node { previous: counted, next: over, .. } = self.node(other);
+                let other = self.link_at(link);
+                let Node { previous: counted, next: over, .. } = *self.node(other);
                 // An element within the new one tells nothing more; neither do those that have become part of it.
                 if counted == round && over > 0 {
                     put(self.links, kept, other);
@@ -205,7 +212,8 @@ impl Ordering<'_> {
                 }
             }
             put(self.links, kept, element);
-            self.change(slot, |node| (node.slots, node.elements) = (slots, kept + 1 - start - slots));
+            let node = self.node_mut(slot);
+            (node.slots, node.elements) = (slots, kept + 1 - start - slots);
             let joined = end - filled - 1;
             let degree = (former.degree + joined).min(slots + joined + left_over).min(most);
             self.list(slot, degree);
@@ -217,27 +225,25 @@ impl Ordering<'_> {
     /// Counts how many particles of each element that meets the new one are not part of that.
     fn count_left_over<R: Real>(&mut self, system: &System<'_, R>, element: u32, round: u32, [filled, end]: [u32; 2]) {
         // What the eliminated one was part of is no element any more.
-        let Node { slots, elements, .. } = self.node(element);
+        let Node { slots, elements, .. } = *self.node(element);
         let start = Self::links_of(system, element) + slots;
         for link in start..start + elements {
-            let absorbed = at(self.links, link);
-            self.change(absorbed, |node| (node.previous, node.next) = (NONE, 0));
+            let absorbed = self.node_mut(self.link_at(link));
+            (absorbed.previous, absorbed.next) = (NONE, 0);
         }
         for row in filled..end {
             let slot = at(self.rows, row);
-            let Node { slots, elements, .. } = self.node(slot);
+            let Node { slots, elements, .. } = *self.node(slot);
             let start = Self::links_of(system, slot) + slots;
             for link in start..start + elements {
-                let other = at(self.links, link);
-                self.change(other, |node| {
-                    if node.previous == NONE {
-                        return;
-                    }
-                    if node.previous != round {
-                        (node.previous, node.next) = (round, node.degree);
-                    }
-                    node.next -= 1;
-                });
+                let node = self.node_mut(self.link_at(link));
+                if node.previous == NONE {
+                    continue;
+                }
+                if node.previous != round {
+                    (node.previous, node.next) = (round, node.degree);
+                }
+                node.next -= 1;
             }
         }
     }

@@ -1,11 +1,11 @@
 //! The equation of an implicit step: how far a state is from solving it, and how far it has to be.
 
-use super::evaluate::{Evaluated, Impulse};
+use super::evaluate::Impulse;
 use super::workspace::Scratch;
 use crate::Real;
 use crate::sums::sum;
 use crate::types::StepReport;
-use crate::vectors::{advance_columns, along, at, difference, dot, fetch, lend, put, read, scaled};
+use crate::vectors::{advance_columns, along, at, difference, dot, exact, scaled};
 use crate::world::{System, View};
 
 /// How large the residual is, and what it is to be compared with; all in √kg·m/s.
@@ -30,7 +30,7 @@ impl Measured {
 pub fn norm<R: Real>(system: &System<'_, R>, residual: &[[R; 3]]) -> f64 {
     let square = sum(system.plan.attached, |slot| {
         // The squares of small residuals would be 0 in `f32`, and look like a solution.
-        let r = at(residual, slot).map(Real::to_f64);
+        let r = exact(at(residual, slot));
         at(system.inverse_mass, slot).to_f64() * dot(r, r)
     });
     Real::sqrt(square)
@@ -44,22 +44,19 @@ pub fn residual<R: Real>(
     report: &mut StepReport,
 ) -> Measured {
     let View { system, current, next, .. } = view;
-    advance_columns(lend(&mut next.position), read(&current.position), dt, read(&next.velocity));
-    let (position, velocity) = (read(&next.position), read(&next.velocity));
-    let mut evaluated = Evaluated { axis: scratch.axis, force_density: scratch.force_density };
+    advance_columns(&mut next.position, &current.position, dt, &next.velocity);
     report.force_evaluations += 1;
-    let impulses = &mut *scratch.blocks;
-    report.degenerate_springs = evaluated.springs(system, position, velocity, dt, impulses);
-    for slot in 0..system.plan.attached {
-        if !system.is_dynamic(slot) {
-            put(scratch.residual, slot, [R::ZERO; 3]);
-            continue;
+    report.degenerate_springs = scratch.evaluate(system, next, dt);
+    let slots = 0..system.plan.attached;
+    let known = scratch.blocks.iter().zip(scratch.support.iter()).zip(system.mass);
+    for ((slot, residual), ((impulse, support), mass)) in slots.zip(scratch.residual.iter_mut()).zip(known) {
+        *residual = const { [R::ZERO; 3] };
+        if system.is_dynamic(slot) {
+            let change = difference(next.velocity_of(slot), current.velocity_of(slot));
+            let change = along(change, -dt, system.gravity);
+            let [x, y, z, ..] = *impulse;
+            *residual = support.allow(difference(scaled(*mass, change), [x, y, z]));
         }
-        let change = difference(fetch(velocity, slot), fetch(read(&current.velocity), slot));
-        let change = along(change, -dt, system.gravity);
-        let [x, y, z, ..] = at(impulses, slot);
-        let r = difference(scaled(at(system.mass, slot), change), [x, y, z]);
-        put(scratch.residual, slot, at(scratch.support, slot).allow(r));
     }
     let [scale, rounding] = sizes(view, dt, scratch.blocks);
     Measured { norm: norm(&view.system, scratch.residual), scale, rounding }
@@ -71,14 +68,16 @@ fn sizes<R: Real>(view: &View<'_, R>, dt: R, impulses: &[Impulse<R>]) -> [f64; 2
     let View { system, current, next, .. } = view;
     let fall = dt.to_f64() * length(system.gravity);
     let squares = sum(system.plan.attached, |slot| {
-        let (before, after) = (fetch(read(&current.velocity), slot), fetch(read(&next.velocity), slot));
-        let [.., impulse, strength, moment] = at(impulses, slot).map(Real::to_f64);
+        let (before, after) = (current.velocity_of(slot), next.velocity_of(slot));
+        let [.., impulse, strength, moment] = at(impulses, slot);
+        let [impulse, strength, moment] = exact([impulse, strength, moment]);
         let size = at(system.mass, slot).to_f64() * (length(before) + length(after) + fall) + impulse;
-        let noise = 2.0 * length(fetch(read(&next.position), slot)) * strength + moment;
+        let noise = 2.0 * length(next.position_of(slot)) * strength + moment;
         let weight = at(system.inverse_mass, slot).to_f64();
         Two([weight * size * size, weight * noise * noise])
     });
-    let [scale, noise] = squares.0.map(Real::sqrt);
+    let Two([scale, noise]) = squares;
+    let (scale, noise) = (Real::sqrt(scale), Real::sqrt(noise));
     [scale, R::EPSILON.to_f64() * (scale + noise)]
 }
 
@@ -96,6 +95,6 @@ impl core::ops::Add for Two {
 }
 
 fn length<R: Real>(vector: [R; 3]) -> f64 {
-    let vector = vector.map(Real::to_f64);
+    let vector = exact(vector);
     Real::sqrt(dot(vector, vector))
 }

@@ -6,7 +6,6 @@ use super::ordering::{Node, Ordering};
 use super::structure::{Structure, analyse, fingerprint};
 use super::worth::{Elimination, LinearSolver, stiffness};
 use crate::Real;
-use crate::types::Full;
 use crate::world::{Column, Storage, System};
 
 /// 9 reals and 40 bytes a particle, 8 bytes a spring, and `FILL` blocks of 12 reals and 4 bytes a spring.
@@ -78,42 +77,44 @@ impl<R: Real, M: Storage, const FILL: usize> Room<R, M, FILL> {
         {
             return elimination;
         }
-        let springs = system.plan.springs as usize;
-        let mut chunks = if FILL == 0 { 0 } else { springs.div_ceil(FILL) };
-        let elimination = loop {
-            match self.order(system, chunks) {
-                Ok(Some(found)) => break Some(found),
-                Ok(None) if chunks < springs && FILL > 0 => chunks = springs.min(2 * chunks),
-                // Whatever has room for the springs has room for these, but there is no harm in none.
-                Ok(None) | Err(_) => break None,
-            }
-        };
+        let elimination = self.order(system);
         self.analysed = Some((topology, elimination));
         elimination
     }
 
-    /// Seeks an order with room for so many times `FILL` entries.
-    fn order(&mut self, system: &System<'_, R>, chunks: usize) -> Result<Option<Elimination>, Full> {
+    /// Seeks an order that leaves no more entries than there is room for.
+    fn order(&mut self, system: &System<'_, R>) -> Option<Elimination> {
         let (particles, springs) = (system.plan.attached as usize, system.plan.springs as usize);
-        self.nodes.fit(particles)?;
+        self.nodes.fit(particles).ok()?;
         for column in [&mut self.turn_of, &mut self.slot_at, &mut self.column_end] {
-            column.fit(particles)?;
+            column.fit(particles).ok()?;
         }
-        self.links.fit(springs)?;
-        reach(&mut self.rows, [0; FILL], chunks)?;
-        let ordering = Ordering {
-            nodes: self.nodes.items_mut(),
-            links: self.links.items_mut().as_flattened_mut(),
-            turn_of: self.turn_of.items_mut(),
-            slot_at: self.slot_at.items_mut(),
-            column_end: self.column_end.items_mut(),
-            rows: first(self.rows.items_mut().as_flattened_mut(), chunks * FILL),
+        self.links.fit(springs).ok()?;
+        let mut chunks = if FILL == 0 { 0 } else { springs.div_ceil(FILL) };
+        let found = loop {
+            // Whatever has room for the springs has room for these, but there is no harm in none.
+            reach(&mut self.rows, [0; FILL], chunks)?;
+            let ordering = Ordering {
+                nodes: self.nodes.items_mut(),
+                nowhere: Node::default(),
+                links: self.links.items_mut().as_flattened_mut(),
+                turn_of: self.turn_of.items_mut(),
+                slot_at: self.slot_at.items_mut(),
+                column_end: self.column_end.items_mut(),
+                rows: first(self.rows.items_mut().as_flattened_mut(), chunks * FILL),
+            };
+            if let Some(found) = analyse(system, ordering) {
+                break found;
+            }
+            if chunks >= springs || FILL == 0 {
+                return None;
+            }
+            chunks = springs.min(2 * chunks);
         };
-        let Some(found) = analyse(system, ordering) else { return Ok(None) };
-        self.diagonal.fit(found.particles as usize)?;
-        self.solution.fit(found.particles as usize)?;
-        reach(&mut self.blocks, [[[R::ZERO; 4]; 3]; FILL], (found.blocks as usize).div_ceil(FILL.max(1)))?;
-        Ok(Some(found))
+        self.diagonal.fit(found.particles as usize).ok()?;
+        self.solution.fit(found.particles as usize).ok()?;
+        reach(&mut self.blocks, const { [[[R::ZERO; 4]; 3]; FILL] }, (found.blocks as usize).div_ceil(FILL.max(1)))?;
+        Some(found)
     }
 
     /// As slices.
@@ -136,13 +137,12 @@ impl<R: Real, M: Storage, const FILL: usize> Room<R, M, FILL> {
     }
 }
 
-/// Makes a column at least so long.
-fn reach<T: Copy>(column: &mut impl Column<T>, item: T, length: usize) -> Result<(), Full> {
+/// Makes a column at least so long. Nothing where there is no room.
+fn reach<T: Copy>(column: &mut impl Column<T>, item: T, length: usize) -> Option<()> {
     while column.items().len() < length {
-        let capacity = column.items().len();
-        column.push(item).map_err(|_| Full { capacity })?;
+        column.push(item).ok()?;
     }
-    Ok(())
+    Some(())
 }
 
 /// The first so many items, or all if there are fewer.

@@ -1,10 +1,12 @@
 //! Where the entries of the factor are, and what it takes to compute them.
 
+use core::ops::Range;
+
 use super::ordering::{NONE, Ordering};
 use super::worth::Elimination;
 use crate::Real;
-use crate::vectors::{at, put};
-use crate::world::{System, exchange, sort};
+use crate::vectors::{at, items_of, part, put};
+use crate::world::{System, Unsorted, exchange, sort};
 
 /// The structure of a factor, turn by turn.
 #[derive(Clone, Copy)]
@@ -22,17 +24,13 @@ pub struct Structure<'a> {
 }
 
 impl<'a> Structure<'a> {
-    /// The entries of a turn's column.
-    #[inline(always)]
-    pub fn column(&self, turn: u32) -> core::ops::Range<usize> {
-        let start = turn.checked_sub(1).map_or(0, |before| at(self.column_end, before));
-        start as usize..at(self.column_end, turn) as usize
-    }
-
-    /// The turns of some entries.
-    #[inline(always)]
-    pub fn rows(&self, entries: core::ops::Range<usize>) -> &'a [u32] {
-        self.rows.get(entries).unwrap_or_default()
+    /// The entries of a turn's column, and their turns.
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
+    pub fn column(&self, turn: u32) -> (Range<usize>, &'a [u32]) {
+        let entries = items_of(self.column_end, turn);
+        let entries = entries.start as usize..entries.end as usize;
+        (entries.clone(), self.rows.get(entries).unwrap_or_default())
     }
 }
 
@@ -49,7 +47,7 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
             *row = at(turn_of, *row);
         }
         if cfg!(feature = "compact") {
-            sort(column, *end - start, |rows, first, second| at(rows, first) < at(rows, second), exchange);
+            sort(&mut Turns(column), *end - start);
         } else {
             column.sort_unstable();
         }
@@ -60,36 +58,53 @@ pub fn analyse<R: Real>(system: &System<'_, R>, mut ordering: Ordering<'_>) -> O
         start = *end;
     }
     for (spring, ends) in (0..).zip(system.springs.ends) {
-        put(entry_of, spring, entry(ends.map(|slot| at(turn_of, slot)), column_end, rows));
+        let [i, j] = *ends;
+        put(entry_of, spring, entry(at(turn_of, i), at(turn_of, j), column_end, rows));
     }
     Some(elimination)
 }
 
+/// Turns in no order yet.
+struct Turns<'a>(&'a mut [u32]);
+
+impl Unsorted for Turns<'_> {
+    fn precedes(&self, first: u32, second: u32) -> bool {
+        at(self.0, first) < at(self.0, second)
+    }
+
+    fn exchange(&mut self, first: u32, second: u32) {
+        exchange(self.0, first, second);
+    }
+}
+
 /// The entry where two turns meet.
-fn entry([a, b]: [u32; 2], column_end: &[u32], rows: &[u32]) -> u32 {
+fn entry(a: u32, b: u32, column_end: &[u32], rows: &[u32]) -> u32 {
     let (column, row) = (a.min(b), a.max(b));
     if row == NONE {
         return NONE;
     }
-    let start = column.checked_sub(1).map_or(0, |before| at(column_end, before));
-    let entries = rows.get(start as usize..at(column_end, column) as usize).unwrap_or_default();
-    entries.binary_search(&row).map_or(NONE, |place| start + place as u32)
+    let entries = items_of(column_end, column);
+    let rows = part(rows, entries.clone()).unwrap_or_default();
+    entries.zip(rows).find(|(_, other)| **other == row).map_or(NONE, |(entry, _)| entry)
 }
 
 /// A number that tells one topology from another: who is joined to whom, and who is held.
 pub fn fingerprint<R: Real>(system: &System<'_, R>) -> u64 {
-    // Multiplication by an odd number loses nothing (Knuth's golden ratio in 64 bits); the shift brings the upper half down.
-    let mix = |hash: u64, value: u64| {
-        let mixed = (hash ^ value).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        mixed ^ (mixed >> 32)
-    };
-    let start = u64::from(system.plan.attached) << 32 | u64::from(system.plan.springs);
-    let joined =
-        system.springs.ends.iter().fold(mix(1, start), |hash, &[i, j]| mix(hash, u64::from(i) << 32 | u64::from(j)));
-    if system.plan.held == 0 {
-        return joined;
+    let mut hash = mix(1, u64::from(system.plan.attached) << 32 | u64::from(system.plan.springs));
+    for &[i, j] in system.springs.ends {
+        hash = mix(hash, u64::from(i) << 32 | u64::from(j));
     }
-    (0..system.plan.attached)
-        .filter(|slot| !system.is_dynamic(*slot))
-        .fold(joined, |hash, slot| mix(hash, u64::from(slot)))
+    if system.plan.held > 0 {
+        for slot in (0..system.plan.attached).filter(|slot| !system.is_dynamic(*slot)) {
+            hash = mix(hash, u64::from(slot));
+        }
+    }
+    hash
+}
+
+/// Multiplication by an odd number loses nothing (Knuth's golden ratio in 64 bits); the shift brings the upper half down.
+#[cfg_attr(feature = "compact", inline(never))]
+fn mix(hash: u64, value: u64) -> u64 {
+    let mixed = (hash ^ value).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    mixed ^ (mixed >> 32)
 }

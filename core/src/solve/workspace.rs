@@ -10,11 +10,8 @@ use crate::world::{Column, Plan, Storage, System};
 
 /// 21 reals and a support a particle, 6 reals a spring, and the [`Room`] for a factor.
 pub struct Workspace<R: Real, M: Storage, const FILL: usize> {
-    direction: M::Particles<[R; 3]>,
-    residual: M::Particles<[R; 3]>,
-    spare: M::Particles<[R; 3]>,
-    search: M::Particles<[R; 3]>,
-    product: M::Particles<[R; 3]>,
+    /// Direction, residual, spare, search and product.
+    vectors: [M::Particles<[R; 3]>; 5],
     blocks: M::Particles<Symmetric<R>>,
     support: M::Particles<Support<R>>,
     axis: M::Springs<[R; 3]>,
@@ -53,11 +50,7 @@ impl<R: Real, M: Storage, const FILL: usize> Workspace<R, M, FILL> {
     /// Without room for anything yet.
     pub const fn new() -> Self {
         Self {
-            direction: Column::EMPTY,
-            residual: Column::EMPTY,
-            spare: Column::EMPTY,
-            search: Column::EMPTY,
-            product: Column::EMPTY,
+            vectors: [const { Column::EMPTY }; 5],
             blocks: Column::EMPTY,
             support: Column::EMPTY,
             axis: Column::EMPTY,
@@ -70,8 +63,9 @@ impl<R: Real, M: Storage, const FILL: usize> Workspace<R, M, FILL> {
     /// Makes room for what springs pull at.
     pub fn fit(&mut self, plan: &Plan) -> Result<(), Full> {
         let (particles, springs) = (plan.attached as usize, plan.springs as usize);
-        let vectors = [&mut self.direction, &mut self.residual, &mut self.spare, &mut self.search, &mut self.product];
-        vectors.into_iter().try_for_each(|column| column.fit(particles))?;
+        for column in &mut self.vectors {
+            column.fit(particles)?;
+        }
         self.blocks.fit(particles)?;
         self.support.fit(particles)?;
         self.axis.fit(springs)?;
@@ -88,12 +82,13 @@ impl<R: Real, M: Storage, const FILL: usize> Workspace<R, M, FILL> {
     /// As slices, for a step of `dt`.
     pub fn lend(&mut self, system: &System<'_, R>, dt: R) -> Scratch<'_, R> {
         self.room.prepare(system, dt);
+        let [direction, residual, spare, search, product] = &mut self.vectors;
         Scratch {
-            direction: self.direction.items_mut(),
-            residual: self.residual.items_mut(),
-            spare: self.spare.items_mut(),
-            search: self.search.items_mut(),
-            product: self.product.items_mut(),
+            direction: direction.items_mut(),
+            residual: residual.items_mut(),
+            spare: spare.items_mut(),
+            search: search.items_mut(),
+            product: product.items_mut(),
             blocks: self.blocks.items_mut(),
             support: self.support.items_mut(),
             axis: self.axis.items_mut(),

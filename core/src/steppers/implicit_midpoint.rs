@@ -22,7 +22,7 @@ impl<R: Real, M: Storage, const FILL: usize> ImplicitMidpoint<R, M, FILL> {
     /// 1e-6, say. 0 asks for as little as rounding allows. Without room for any particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
-        Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance) }
+        Self { workspace: const { Workspace::new() }, tolerance: Tolerance(tolerance) }
     }
 
     /// What solves the linear systems of steps of `dt` seconds, and why.
@@ -46,12 +46,7 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for ImplicitMidpoint<R, 
     fn advance(&mut self, view: &mut View<'_, R>, dt: R) -> StepReport {
         let half = half(dt);
         let report = newton(view, half, self.tolerance, &mut self.workspace.lend(&view.system, half));
-        let now = view.current.position.iter().chain(&view.current.velocity);
-        for (middle, now) in view.next.position.iter_mut().chain(&mut view.next.velocity).zip(now) {
-            for (middle, now) in middle.iter_mut().zip(now.iter()) {
-                *middle += *middle - *now;
-            }
-        }
+        view.next.extrapolate(&view.current, R::ONE);
         report
     }
 

@@ -32,7 +32,7 @@ impl<R: Real, M: Storage, const FILL: usize> TrBdf2<R, M, FILL> {
     /// 1e-6, say. 0 asks for as little as rounding allows. Without room for any particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
-        Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance), base: StateColumns::EMPTY }
+        Self { workspace: const { Workspace::new() }, tolerance: Tolerance(tolerance), base: StateColumns::EMPTY }
     }
 
     /// What solves the linear systems of steps of `dt` seconds, and why.
@@ -59,23 +59,16 @@ impl<R: Real, M: Storage, const FILL: usize> Stepper<R> for TrBdf2<R, M, FILL> {
         let mut base = self.base.lend();
         let mut report = StepReport::default();
         // x + ½γdt v and v + ½γdt a(x, v)
-        let (x, v) = (read(&view.current.position), read(&view.current.velocity));
-        view.system.accelerations(view.current.carried_position(), v, lend(&mut view.next.velocity), &mut report);
-        advance_columns(lend(&mut base.position), x, part, v);
-        advance_columns(lend(&mut base.velocity), v, part, read(&view.next.velocity));
+        let View { system, current, next, .. } = view;
+        let (position, velocity) = (current.carried_position(), read(&current.velocity));
+        system.accelerations(position, velocity, lend(&mut next.velocity), &mut report);
+        advance_columns(&mut base.position, &current.position, part, &current.velocity);
+        advance_columns(&mut base.velocity, &current.velocity, part, &next.velocity);
         let scratch = &mut self.workspace.lend(&view.system, part);
         report.add(&newton(&mut view.starting_from(&mut base), part, self.tolerance, scratch));
         // x_γ + (x_γ − x)(1 − γ)²/(γ(2 − γ)), and its velocity likewise
-        let beyond = R::from_f64(BEYOND);
-        let View { current, next, .. } = view;
-        let base_columns = base.position.iter_mut().chain(&mut base.velocity);
-        let now = current.position.iter().chain(&current.velocity);
-        let first = next.position.iter().chain(&next.velocity);
-        for ((base, first), now) in base_columns.zip(first).zip(now) {
-            for ((base, first), now) in base.iter_mut().zip(first.iter()).zip(now.iter()) {
-                *base = *first + beyond * (*first - *now);
-            }
-        }
+        base.copy_from(&view.next);
+        base.extrapolate(&view.current, R::from_f64(BEYOND));
         report.add(&newton(&mut view.starting_from(&mut base), part, self.tolerance, scratch));
         report
     }

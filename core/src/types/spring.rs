@@ -28,7 +28,7 @@ impl<R: Real> Spring<R> {
     }
 
     /// Which of its parameters is negative or not finite, if any is.
-    #[cfg_attr(feature = "small", inline(never))]
+    #[cfg_attr(feature = "compact", inline(never))]
     pub(crate) fn wrong(&self) -> Option<AddSpringError<R>> {
         let is_wrong = |value: R| !(value >= R::ZERO && value.is_finite());
         if is_wrong(self.stiffness) {

@@ -15,7 +15,7 @@ use super::view::{Springs, State, System, View, incidences_of, told};
 use crate::Real;
 use crate::lanes::{Lanes, Present};
 use crate::types::{AddParticleError, AddPlaneError, AddSpringError, Hold, Particle, Plane, SetError, Sleep, Spring};
-use crate::vectors::{ColumnsMut, at, difference, put, size, store};
+use crate::vectors::{ColumnsMut, at, difference, is_zero, put, size, store};
 
 /// A world of fixed capacity: nothing is ever allocated.
 ///
@@ -253,7 +253,10 @@ impl<R: Real, M: Storage> Container<R, M> {
         if !is_known {
             self.disturb();
         }
-        let plan = if is_known && !self.watch.fell_asleep { self.plan } else { self.prepare() };
+        if !is_known || self.watch.fell_asleep {
+            self.prepare();
+        }
+        let plan = self.plan;
         let Self { particles, springs, planes, gravity, clock, front, epoch, changes, lanes, sleep, watch, .. } = self;
         let ParticleColumns { state: [a, b], mass, inverse_mass, slot_of, particle_at, incidence_end, rest } =
             particles;
@@ -300,13 +303,13 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
     }
 
-    /// Sorts particles into slots, and lists their springs. Returns what a plan says of that.
-    fn lay_out(&mut self) -> Plan {
+    /// Sorts particles into slots, and lists their springs: what a plan says of that.
+    fn lay_out(&mut self) {
         let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep);
         order(&mut self.springs, self.particles.inverse_mass.items(), layout.first_asleep());
         list_incidences(&mut self.particles, &mut self.springs);
         let Layout { particles, attached, asleep, islands, islands_asleep, renumbered, .. } = layout;
-        Plan {
+        self.plan = Plan {
             attached,
             particles,
             renumbered: renumbered.particles,
@@ -315,24 +318,27 @@ impl<R: Real, M: Storage> Container<R, M> {
             islands,
             islands_asleep,
             asleep,
-            ..Plan::default()
-        }
+            ..self.plan
+        };
     }
 
     /// Puts everything where it belongs, and finds out what the world needs.
-    fn prepare(&mut self) -> Plan {
+    #[cfg_attr(feature = "compact", inline(never))]
+    fn prepare(&mut self) {
         // Where islands may sleep, the layout also follows from what is held and what is calm.
-        let laid_out = if self.is_laid_out && self.sleep.is_none() { self.plan } else { self.lay_out() };
-        let Plan { particles, attached, asleep, .. } = laid_out;
+        if !self.is_laid_out || self.sleep.is_some() {
+            self.lay_out();
+        }
+        let Plan { particles, attached, asleep, .. } = self.plan;
         let first_asleep = particles - asleep;
-        let springs = self.springs.ends.items().partition_point(|[_, j]| *j < first_asleep);
+        let springs = self.springs.ends.items().iter().take_while(|[_, j]| *j < first_asleep).count();
         let awake = self.springs.ends.items().get(..springs).unwrap_or_default();
         let inverse_mass = self.particles.inverse_mass.items();
-        let live = awake.partition_point(|ends| !is_idle(*ends, inverse_mass));
+        let live = awake.iter().take_while(|ends| !is_idle(**ends, inverse_mass)).count();
         let span = awake.iter().take(live).map(|[i, j]| j - i).max().unwrap_or(0);
         let (on_diagonals, pieces) = self.find_pieces(attached - asleep, live);
-        let plan = Plan {
-            gravity: self.gravity != [R::ZERO; 3],
+        self.plan = Plan {
+            gravity: !is_zero(self.gravity),
             held: self.particles.inverse_mass.items().iter().filter(|inverse| **inverse == R::ZERO).count() as u32,
             of_one_mass: Plan::of_one_mass(self.particles.inverse_mass.items()),
             springs: self.springs.count(),
@@ -343,13 +349,11 @@ impl<R: Real, M: Storage> Container<R, M> {
             damped: Plan::coverage(self.springs.damping.items()),
             planes: self.planes.items().len() as u32,
             springs_asleep: self.springs.count() - springs as u32,
-            ..laid_out
+            ..self.plan
         };
         self.watch.fell_asleep = false;
-        self.plan = plan;
         self.is_laid_out = true;
         self.is_current = true;
-        plan
     }
 
     /// Finds those of the first so many springs that lie on diagonals: how many there are, in how many pieces.

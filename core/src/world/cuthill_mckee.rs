@@ -9,8 +9,9 @@
 use core::ops::Range;
 
 use super::layout::Incidence;
-use super::sort::{self, exchange};
-use crate::vectors::{at, put};
+use super::sort::{Unsorted, exchange, sort};
+use super::view::incidences_of;
+use crate::vectors::{at, items_of, put};
 
 /// Searches in all: each begins at the far end of the one before. Three are common, and a few more find a longer way.
 const SEARCHES: u8 = 8;
@@ -37,9 +38,7 @@ struct Searched {
 impl Graph<'_> {
     /// The slots at the other ends of a slot's springs.
     pub fn neighbours(&self, slot: u32) -> impl Iterator<Item = u32> {
-        let list = self.list(slot);
-        let list = self.incidences.get(list.start as usize..list.end as usize).unwrap_or_default();
-        list.iter().map(|incidence| incidence.neighbour)
+        incidences_of(slot, self.list_end, self.incidences).iter().map(|incidence| incidence.neighbour)
     }
 
     /// The slot in a place of the order.
@@ -53,8 +52,9 @@ impl Graph<'_> {
         self.found_by.get_mut(island.start as usize..island.end as usize).unwrap_or_default().fill(0);
         let mut last = self.search(island, island.start, 1);
         for search in 2..=SEARCHES {
-            let from = last.furthest.map(|place| self.in_place(place)).min_by_key(|slot| (self.degree(*slot), *slot));
-            let next = self.search(island, from.unwrap_or(island.start), search);
+            let furthest = last.furthest.map(|place| self.in_place(place));
+            let from = furthest.map(|slot| (degree(self.list_end, slot), slot)).min();
+            let next = self.search(island, from.map_or(island.start, |(_, slot)| slot), search);
             if next.depth == last.depth {
                 break;
             }
@@ -62,25 +62,16 @@ impl Graph<'_> {
         }
     }
 
-    fn list(&self, slot: u32) -> Range<u32> {
-        list(self.list_end, slot)
-    }
-
-    fn degree(&self, slot: u32) -> u32 {
-        degree(self.list_end, slot)
-    }
-
     /// Sorts the lists of an island by degree. The places of its order lie in them or before, so that this comes first.
     fn sort(&mut self, island: &Range<u32>) {
         for slot in island.clone() {
-            let list = self.list(slot);
+            let list = items_of(self.list_end, slot);
             let list = self.incidences.get_mut(list.start as usize..list.end as usize).unwrap_or_default();
-            let key = |Incidence { neighbour, .. }: &Incidence| (degree(self.list_end, *neighbour), *neighbour);
             if cfg!(feature = "compact") {
-                let precedes = |list: &[Incidence], first, second| key(&at(list, first)) < key(&at(list, second));
-                sort::sort(list, list.len() as u32, precedes, exchange);
+                let count = list.len() as u32;
+                sort(&mut Neighbours { list, list_end: self.list_end }, count);
             } else {
-                list.sort_unstable_by_key(key);
+                list.sort_unstable_by_key(|incidence| key(self.list_end, *incidence));
             }
         }
     }
@@ -93,7 +84,7 @@ impl Graph<'_> {
         loop {
             let before = end;
             for place in furthest.clone() {
-                for link in self.list(self.in_place(place)) {
+                for link in items_of(self.list_end, self.in_place(place)) {
                     let slot = at(self.incidences, link).neighbour;
                     if island.contains(&slot) && at(self.found_by, slot) != search {
                         self.find(slot, &mut end, search);
@@ -116,12 +107,28 @@ impl Graph<'_> {
     }
 }
 
-fn list(list_end: &[u32], slot: u32) -> Range<u32> {
-    let start = if slot == 0 { 0 } else { at(list_end, slot - 1) };
-    start..at(list_end, slot)
+/// The list of a slot, in no order yet.
+struct Neighbours<'a> {
+    list: &'a mut [Incidence],
+    list_end: &'a [u32],
+}
+
+impl Unsorted for Neighbours<'_> {
+    fn precedes(&self, first: u32, second: u32) -> bool {
+        key(self.list_end, at(self.list, first)) < key(self.list_end, at(self.list, second))
+    }
+
+    fn exchange(&mut self, first: u32, second: u32) {
+        exchange(self.list, first, second);
+    }
+}
+
+/// What neighbours are ordered by.
+fn key(list_end: &[u32], Incidence { neighbour, .. }: Incidence) -> (u32, u32) {
+    (degree(list_end, neighbour), neighbour)
 }
 
 fn degree(list_end: &[u32], slot: u32) -> u32 {
-    let list = list(list_end, slot);
+    let list = items_of(list_end, slot);
     list.end - list.start
 }

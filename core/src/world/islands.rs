@@ -11,7 +11,7 @@ use super::prepare::Layout;
 use super::rest::Mark;
 use super::storage::{Column, Storage};
 use crate::Real;
-use crate::vectors::{at, fetch, put};
+use crate::vectors::{at, fetch, is_zero, put};
 
 /// In place of the rank of a particle that no spring pulls at.
 const FREE: u32 = u32::MAX;
@@ -75,21 +75,21 @@ impl Forest<'_> {
     }
 }
 
-/// Finds the islands, and writes the slot that each particle is to have to `incidence_end`. Where `held_connect`, what
+/// Finds the islands, and writes the slot that each particle is to have to `incidence_end`. Where none may sleep, what
 /// hangs on the same held particles is one island. Returns how many of what there are, and whether any particle has to
 /// move.
 pub fn arrange<R: Real, M: Storage>(
     particles: &mut ParticleColumns<R, M>,
     springs: &mut SpringColumns<R, M>,
     front: usize,
-    held_connect: bool,
+    may_sleep: bool,
 ) -> (Layout, bool) {
     let ParticleColumns { state: [a, b], inverse_mass, slot_of, incidence_end, rest, .. } = particles;
     let velocity = if front == 0 { a.velocity() } else { b.velocity() }.value;
     let (inverse_mass, slot_of, rest) = (inverse_mass.items(), slot_of.items(), rest.items_mut());
     let ends = springs.ends.items();
     let mut forest = Forest(springs.incidences.items_mut().as_flattened_mut());
-    let connects = |slot: u32| held_connect || at(inverse_mass, slot) != R::ZERO;
+    let connects = |slot: u32| !may_sleep || at(inverse_mass, slot) != R::ZERO;
 
     let rank_of = incidence_end.items_mut();
     rank_of.fill(FREE);
@@ -125,7 +125,7 @@ pub fn arrange<R: Real, M: Storage>(
             continue;
         }
         let parent = forest.parent(rank);
-        if parent >= SHARED {
+        if may_sleep && parent >= SHARED {
             shared += 1;
             continue;
         }
@@ -133,11 +133,11 @@ pub fn arrange<R: Real, M: Storage>(
         // Who remembers the root finds it at once from now on.
         forest.set_parent(rank, root);
         // What has been moved since it fell asleep does not sleep.
-        let sleeps = Mark::from_byte(*mark).is_asleep() && fetch(velocity, *slot) == [R::ZERO; 3];
+        let sleeps = may_sleep && Mark::from_byte(*mark).is_asleep() && is_zero(fetch(velocity, *slot));
         let tally = forest.tally(root) + 1;
         forest.set_tally(root, if sleeps { tally } else { tally | AWAKE });
     }
-    let layout = allot(&mut forest, attached, shared, slot_of.len() as u32);
+    let layout = allot(&mut forest, attached, shared, slot_of.len() as u32, may_sleep);
 
     let moved = assign(&mut forest, &layout, slot_of, rank_of);
     mark(&mut forest, &layout, slot_of, rank_of, rest);
@@ -145,7 +145,7 @@ pub fn arrange<R: Real, M: Storage>(
 }
 
 /// Leaves the first slot of each island at its root.
-fn allot(forest: &mut Forest<'_>, attached: u32, shared: u32, particles: u32) -> Layout {
+fn allot(forest: &mut Forest<'_>, attached: u32, shared: u32, particles: u32, may_sleep: bool) -> Layout {
     let mut layout = Layout { particles, attached, shared, ..Layout::default() };
     for rank in 0..attached {
         if forest.parent(rank) != rank {
@@ -153,7 +153,7 @@ fn allot(forest: &mut Forest<'_>, attached: u32, shared: u32, particles: u32) ->
         }
         layout.islands += 1;
         let tally = forest.tally(rank);
-        if tally & AWAKE == 0 {
+        if may_sleep && tally & AWAKE == 0 {
             layout.islands_asleep += 1;
             layout.asleep += tally;
         }
@@ -164,7 +164,7 @@ fn allot(forest: &mut Forest<'_>, attached: u32, shared: u32, particles: u32) ->
             continue;
         }
         let tally = forest.tally(rank);
-        let next = if tally & AWAKE == 0 { &mut next_asleep } else { &mut next_awake };
+        let next = if may_sleep && tally & AWAKE == 0 { &mut next_asleep } else { &mut next_awake };
         forest.set_tally(rank, *next);
         *next += tally & !AWAKE;
     }

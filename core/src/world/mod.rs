@@ -25,5 +25,5 @@ pub use view::View;
 pub(crate) use clock::Clock;
 pub(crate) use pieces::{Piece, TILE, Words, stretches, tiles};
 pub(crate) use rest::Mark;
-pub(crate) use sort::{exchange, sort};
+pub(crate) use sort::{Unsorted, exchange, sort};
 pub(crate) use view::{Law, Springs, State, System};

@@ -8,7 +8,7 @@
 
 use super::layout::{Incidence, SpringColumns};
 use super::pieces::TILE;
-use super::sort::{self, exchange};
+use super::sort::{Unsorted, exchange, sort};
 use super::storage::{Column, Storage};
 use crate::Real;
 use crate::vectors::{at, put};
@@ -23,26 +23,13 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, inverse_mas
             core::mem::swap(i, j);
         }
     }
-    let key = |ends, number| key(ends, number, inverse_mass, asleep);
+    let parameters = [stiffness.items_mut(), damping.items_mut(), rest_length.items_mut()];
     if cfg!(feature = "compact") {
-        let [stiffness, damping, rest_length] = [stiffness, damping, rest_length].map(Column::items_mut);
         let count = ends.len() as u32;
-        sort::sort(
-            &mut (ends, number),
-            count,
-            |(ends, number), first, second| {
-                key(at(ends, first), at(number, first)) < key(at(ends, second), at(number, second))
-            },
-            |(ends, number), first, second| {
-                exchange(ends, first, second);
-                exchange(number, first, second);
-                for column in [&mut *stiffness, &mut *damping, &mut *rest_length] {
-                    exchange(column, first, second);
-                }
-            },
-        );
+        sort(&mut Disordered { ends, number, parameters, inverse_mass, asleep }, count);
         return;
     }
+    let key = |ends, number| key(ends, number, inverse_mass, asleep);
     let keys = || ends.iter().zip(number.iter()).map(|(ends, number)| key(*ends, *number));
     if keys().is_sorted() {
         return;
@@ -54,8 +41,36 @@ pub fn order<R: Real, M: Storage>(springs: &mut SpringColumns<R, M>, inverse_mas
         *room = [Incidence { neighbour: i, spring: j }, Incidence { neighbour: *number, spring: index }];
     }
     room.sort_unstable_by_key(|[ends, spring]| key([ends.neighbour, ends.spring], spring.neighbour));
-    let columns = [stiffness, damping, rest_length].map(Column::items_mut);
-    follow(room, ends, number, columns);
+    follow(room, ends, number, parameters);
+}
+
+/// Springs in no order yet.
+struct Disordered<'a, R> {
+    ends: &'a mut [[u32; 2]],
+    number: &'a mut [u32],
+    parameters: [&'a mut [R]; 3],
+    inverse_mass: &'a [R],
+    asleep: u32,
+}
+
+impl<R: Real> Disordered<'_, R> {
+    fn key(&self, place: u32) -> (u64, u64) {
+        key(at(self.ends, place), at(self.number, place), self.inverse_mass, self.asleep)
+    }
+}
+
+impl<R: Real> Unsorted for Disordered<'_, R> {
+    fn precedes(&self, first: u32, second: u32) -> bool {
+        self.key(first) < self.key(second)
+    }
+
+    fn exchange(&mut self, first: u32, second: u32) {
+        exchange(self.ends, first, second);
+        exchange(self.number, first, second);
+        for column in &mut self.parameters {
+            exchange(column, first, second);
+        }
+    }
 }
 
 /// What springs are ordered by. In two numbers, which take less to compare than six words: a tile's leaves eight bits.

@@ -45,7 +45,7 @@ pub fn partition<R: Real, M: Storage>(
     dormancy: Option<Dormancy<R, M>>,
 ) -> Layout {
     let by_number = match dormancy {
-        Some(Dormancy { arrange, .. }) => arrange(particles, springs, front, false),
+        Some(Dormancy { arrange, .. }) => arrange(particles, springs, front, true),
         None => attached_first(particles, springs),
     };
     let mut layout = moved(by_number, particles, springs, front);
@@ -72,7 +72,7 @@ fn renumber_islands<R: Real, M: Storage>(
     let mut layout = *layout;
     if !by_islands {
         // What is connected gets slots of its own, for as long as it takes to see whether any of it is renumbered.
-        let arranged = arrange(particles, springs, front, true);
+        let arranged = arrange(particles, springs, front, false);
         layout = moved(arranged, particles, springs, front);
     }
     let renumbered = renumber(particles, springs, layout.shared..layout.attached - layout.asleep);
@@ -143,8 +143,9 @@ fn permute<R: Real, M: Storage>(
     let (current, spare) = if front == 0 { (a, b) } else { (b, a) };
     let [scratch, _, _] = &mut spare.position;
     let scratch = scratch.items_mut();
-    let state = current.position.iter_mut().chain(&mut current.velocity);
-    for column in state.chain([mass, inverse_mass]) {
+    let [x, y, z] = &mut current.position;
+    let [u, v, w] = &mut current.velocity;
+    for column in [x, y, z, u, v, w, mass, inverse_mass] {
         permute_column(column.items_mut(), new_slot, scratch);
     }
     if R::IS_COMPENSATED {

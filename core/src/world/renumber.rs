@@ -111,68 +111,84 @@ fn renumber_island(
     new_slot: &mut [u32],
     seen: &mut [u32],
 ) -> Option<Better> {
-    let same = |slot| slot;
-    let before = reach(ends(graph, island, same, same));
-    if before.most <= NEAR || is_diagonal(ends(graph, island, same, same), &before, seen) {
+    let former = IslandSprings { graph, island, new_slot: None };
+    let before = former.reach();
+    if before.most <= NEAR || former.are_diagonal(&before, seen) {
         return None;
     }
     graph.order(island);
     let last = at(new_slot, graph.in_place(island.start));
     // Turned round.
-    let turned = |index: u32| island.end - 1 - (index - island.start);
     for place in island.clone() {
-        put(new_slot, graph.in_place(place), turned(place));
+        put(new_slot, graph.in_place(place), turned(island, place));
     }
-    let (former, slot_of) = (|slot| graph.in_place(turned(slot)), |slot| at(new_slot, slot));
-    let after = reach(ends(graph, island, former, slot_of));
+    let renumbered = IslandSprings { graph, island, new_slot: Some(new_slot) };
+    let after = renumbered.reach();
     // By a quarter at least; and never a longer longest one, which a step by several threads pays for.
     let is_shorter = after.sum <= before.sum / 4 * 3 && after.most <= before.most;
-    let helps = before.most > FAR || is_diagonal(ends(graph, island, former, slot_of), &after, seen);
+    let helps = before.most > FAR || renumbered.are_diagonal(&after, seen);
     (is_shorter && helps).then_some(Better { reach: [before.most, after.most], last })
 }
 
-/// The springs of an island in other slots: `former` tells which each one is, and `slot_of` is its inverse. By their lower
-/// ends.
-fn ends<'a>(
-    graph: &'a Graph<'_>,
+/// The place of a slot of an island, or the slot of a place, if its order is turned round.
+fn turned(island: &Range<u32>, index: u32) -> u32 {
+    island.end - 1 - (index - island.start)
+}
+
+/// The springs of an island.
+struct IslandSprings<'a> {
+    graph: &'a Graph<'a>,
     island: &'a Range<u32>,
-    former: impl Fn(u32) -> u32 + Copy + 'a,
-    slot_of: impl Fn(u32) -> u32 + Copy + 'a,
-) -> impl Iterator<Item = [u32; 2]> + 'a {
-    island.clone().flat_map(move |slot| {
-        let inside = graph.neighbours(former(slot)).filter(|neighbour| island.contains(neighbour));
-        inside.map(move |neighbour| [slot, slot_of(neighbour)]).filter(|[i, j]| i < j)
-    })
+    /// The slots that particles are to have, if they are asked about in the order of the graph turned round.
+    new_slot: Option<&'a [u32]>,
 }
 
-/// How far springs reach.
-fn reach(ends: impl Iterator<Item = [u32; 2]>) -> Reach {
-    ends.fold(Reach::default(), |Reach { springs, sum, most }, [i, j]| {
-        let distance = j - i;
-        Reach { springs: springs + 1, sum: sum + u64::from(distance), most: most.max(distance) }
-    })
-}
-
-/// Whether at least half of the springs lie on diagonals, so many in a row that they are worth a piece: each begins in the
-/// slot after the last one or, as at the end of a row, in the one after that, and reaches as far. `seen` is room for a
-/// word a spring: an island has no more distances than springs.
-fn is_diagonal(ends: impl Iterator<Item = [u32; 2]>, all: &Reach, seen: &mut [u32]) -> bool {
-    let seen = seen.get_mut(..all.most as usize).unwrap_or_default();
-    seen.fill(NONE);
-    let mut on_diagonals = 0;
-    for [i, j] in ends {
-        let distance = j - i - 1;
-        // In one word, where the last spring of this reach begins, and how many others there are in its row: what more
-        // than a piece needs is not counted.
-        let (last, place) = (at(seen, distance), i.wrapping_mul(LEAST));
-        let others = last % LEAST;
-        let goes_on = last != NONE && [LEAST, 2 * LEAST].contains(&place.wrapping_sub(last - others));
-        let row = if goes_on { others + 2 } else { 1 };
-        on_diagonals += match row {
-            LEAST => u64::from(LEAST),
-            _ => u64::from(row > LEAST),
-        };
-        put(seen, distance, place + (row.min(LEAST) - 1));
+impl IslandSprings<'_> {
+    /// Visits all by their lower ends: the slots of both.
+    fn each(&self, mut visit: impl FnMut(u32, u32)) {
+        for slot in self.island.clone() {
+            let former = self.new_slot.map_or(slot, |_| self.graph.in_place(turned(self.island, slot)));
+            for neighbour in self.graph.neighbours(former).filter(|neighbour| self.island.contains(neighbour)) {
+                let other = self.new_slot.map_or(neighbour, |new_slot| at(new_slot, neighbour));
+                if slot < other {
+                    visit(slot, other);
+                }
+            }
+        }
     }
-    2 * on_diagonals >= all.springs
+
+    /// How far they reach.
+    fn reach(&self) -> Reach {
+        let mut reach = Reach::default();
+        self.each(|i, j| {
+            reach.springs += 1;
+            reach.sum += u64::from(j - i);
+            reach.most = reach.most.max(j - i);
+        });
+        reach
+    }
+
+    /// Whether at least half of them lie on diagonals, so many in a row that they are worth a piece: each begins in the
+    /// slot after the last one or, as at the end of a row, in the one after that, and reaches as far. `seen` is room for a
+    /// word a spring: an island has no more distances than springs.
+    fn are_diagonal(&self, all: &Reach, seen: &mut [u32]) -> bool {
+        let seen = seen.get_mut(..all.most as usize).unwrap_or_default();
+        seen.fill(NONE);
+        let mut on_diagonals = 0;
+        self.each(|i, j| {
+            let distance = j - i - 1;
+            // In one word, where the last spring of this reach begins, and how many others there are in its row: what more
+            // than a piece needs is not counted.
+            let (last, place) = (at(seen, distance), i.wrapping_mul(LEAST));
+            let others = last % LEAST;
+            let goes_on = last != NONE && [LEAST, 2 * LEAST].contains(&place.wrapping_sub(last - others));
+            let row = if goes_on { others + 2 } else { 1 };
+            on_diagonals += match row {
+                LEAST => u64::from(LEAST),
+                _ => u64::from(row > LEAST),
+            };
+            put(seen, distance, place + (row.min(LEAST) - 1));
+        });
+        2 * on_diagonals >= all.springs
+    }
 }

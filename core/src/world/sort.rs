@@ -1,14 +1,19 @@
 //! Sorting in little code, for programs that have less flash than time: a few hundred bytes, where the standard library's
 //! takes thousands. Where no two items are alike, the order is the same.
 
-/// Sorts `count` items by a heap (Williams, *Algorithm 232*, 1964), wherever they are kept: `precedes` tells whether the
-/// first of two comes before the second, and `exchange` puts each in the other's place.
-pub fn sort<T: ?Sized>(
-    items: &mut T,
-    count: u32,
-    precedes: impl Fn(&T, u32, u32) -> bool,
-    mut exchange: impl FnMut(&mut T, u32, u32),
-) {
+use crate::vectors::{at, put};
+
+/// Items to be sorted, wherever they are kept.
+pub trait Unsorted {
+    /// Whether the first of two comes before the second.
+    fn precedes(&self, first: u32, second: u32) -> bool;
+
+    /// Puts each of two in the other's place.
+    fn exchange(&mut self, first: u32, second: u32);
+}
+
+/// Sorts `count` items by a heap (Williams, *Algorithm 232*, 1964).
+pub fn sort(items: &mut dyn Unsorted, count: u32) {
     let mut end = count;
     let mut unordered = count / 2;
     while end > 1 {
@@ -16,19 +21,19 @@ pub fn sort<T: ?Sized>(
             unordered -= 1;
         } else {
             end -= 1;
-            exchange(items, 0, end);
+            items.exchange(0, end);
         }
         // What stands here moves down to its place in the heap of the first `end` items.
         let mut place = unordered;
         loop {
             let mut child = 2 * place + 1;
-            if child + 1 < end && precedes(items, child, child + 1) {
+            if child + 1 < end && items.precedes(child, child + 1) {
                 child += 1;
             }
-            if child >= end || precedes(items, child, place) {
+            if child >= end || items.precedes(child, place) {
                 break;
             }
-            exchange(items, place, child);
+            items.exchange(place, child);
             place = child;
         }
     }
@@ -36,8 +41,8 @@ pub fn sort<T: ?Sized>(
 
 /// Puts two items in each other's place.
 #[inline(never)]
-pub fn exchange<T>(items: &mut [T], first: u32, second: u32) {
-    if let Ok([first, second]) = items.get_disjoint_mut([first as usize, second as usize]) {
-        core::mem::swap(first, second);
-    }
+pub fn exchange<T: Copy + Default>(items: &mut [T], first: u32, second: u32) {
+    let item = at(items, first);
+    put(items, first, at(items, second));
+    put(items, second, item);
 }

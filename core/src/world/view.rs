@@ -11,7 +11,7 @@ use crate::contact::HoldUp;
 use crate::lanes::Present;
 use crate::sleep::Sleeping;
 use crate::types::{Plane, StepError};
-use crate::vectors::{ColumnsMut, at, copy_columns, fetch, lend, read, store, window};
+use crate::vectors::{ColumnsMut, at, copy_columns, fetch, items_of, lend, part, read, store, window};
 use crate::workers::Workers;
 
 /// Positions and velocities by slot.
@@ -29,20 +29,47 @@ pub struct State<'a, R: Real> {
 impl<R: Real> State<'_, R> {
     /// Copies both from another state.
     pub fn copy_from(&mut self, other: &State<'_, R>) {
-        copy_columns(lend(&mut self.position), read(&other.position));
-        copy_columns(lend(&mut self.velocity), read(&other.velocity));
-        self.copy_residuals_from(0, other);
+        self.keep(0, other);
     }
 
-    /// Copies the residuals of another state, for the slots from `first` on.
-    fn copy_residuals_from(&mut self, first: u32, other: &State<'_, R>) {
-        let columns = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
-        let others = other.position_residual.iter().chain(&other.velocity_residual);
-        columns.zip(others).for_each(|(column, other)| copy_from(column, other, first));
+    /// Where a particle is, m, without what positions have lost.
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
+    pub fn position_of(&self, slot: u32) -> [R; 3] {
+        fetch(read(&self.position), slot)
+    }
+
+    /// How fast it moves, m/s, without what velocities have lost.
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
+    pub fn velocity_of(&self, slot: u32) -> [R; 3] {
+        fetch(read(&self.velocity), slot)
+    }
+
+    /// Where it is, m, with what positions have lost.
+    #[cfg_attr(feature = "compact", inline(never))]
+    pub fn exact_position(&self, slot: u32) -> [f64; 3] {
+        self.carried_position().exactly(slot)
+    }
+
+    /// How fast it moves, m/s, with what velocities have lost.
+    #[cfg_attr(feature = "compact", inline(never))]
+    pub fn exact_velocity(&self, slot: u32) -> [f64; 3] {
+        self.carried_velocity().exactly(slot)
+    }
+
+    /// Gives it a velocity, whatever has been lost of it.
+    #[cfg_attr(feature = "compact", inline(never))]
+    #[cfg_attr(not(feature = "compact"), inline(always))]
+    pub fn set_velocity(&mut self, slot: u32, velocity: [R; 3]) {
+        store(&mut self.velocity, slot, velocity);
     }
 
     /// Nothing has been lost, of the slots from `first` on.
     pub fn forget_residuals_from(&mut self, first: u32) {
+        if !R::IS_COMPENSATED {
+            return;
+        }
         let columns = self.position_residual.iter_mut().chain(&mut self.velocity_residual);
         for column in columns {
             column.get_mut(first as usize..).unwrap_or_default().fill(R::NO_RESIDUAL);
@@ -67,19 +94,31 @@ impl<R: Real> State<'_, R> {
 
     /// Copies both from another state, for the slots from `first` on.
     pub fn keep(&mut self, first: u32, other: &State<'_, R>) {
+        copy_columns(&mut self.position, &other.position, first);
+        copy_columns(&mut self.velocity, &other.velocity, first);
+        if R::IS_COMPENSATED {
+            copy_columns(&mut self.position_residual, &other.position_residual, first);
+            copy_columns(&mut self.velocity_residual, &other.velocity_residual, first);
+        }
+    }
+
+    /// Goes on in a straight line from another state, by so many times the way from there to here.
+    pub fn extrapolate(&mut self, from: &State<'_, R>, times: R) {
         let columns = self.position.iter_mut().chain(&mut self.velocity);
-        let others = other.position.iter().chain(&other.velocity);
-        columns.zip(others).for_each(|(column, other)| copy_from(column, other, first));
-        self.copy_residuals_from(first, other);
+        for (column, from) in columns.zip(from.position.iter().chain(&from.velocity)) {
+            for (value, from) in column.iter_mut().zip(from.iter()) {
+                *value += times * (*value - *from);
+            }
+        }
     }
 
     /// Of the first so many slots.
     fn first(&mut self, count: u32) -> State<'_, R> {
         State {
-            position: lend(&mut self.position).map(|column| first(column, count)),
-            velocity: lend(&mut self.velocity).map(|column| first(column, count)),
-            position_residual: lend(&mut self.position_residual).map(|column| first(column, count)),
-            velocity_residual: lend(&mut self.velocity_residual).map(|column| first(column, count)),
+            position: first_of(&mut self.position, count),
+            velocity: first_of(&mut self.velocity, count),
+            position_residual: first_of(&mut self.position_residual, count),
+            velocity_residual: first_of(&mut self.velocity_residual, count),
         }
     }
 
@@ -125,11 +164,10 @@ impl<'a, R: Real> State<'a, R> {
     }
 }
 
-/// The items from `first` on.
-fn copy_from<T: Copy>(to: &mut [T], from: &[T], first: u32) {
-    for (to, from) in to.iter_mut().zip(from).skip(first as usize) {
-        *to = *from;
-    }
+/// The same of three columns.
+#[cfg_attr(feature = "compact", inline(never))]
+fn first_of<'a, R>([x, y, z]: &'a mut ColumnsMut<'_, R>, count: u32) -> ColumnsMut<'a, R> {
+    [first(x, count), first(y, count), first(z, count)]
 }
 
 /// The first so many items, or all if there are fewer.
@@ -197,6 +235,13 @@ impl<'a, R: Real> Springs<'a, R> {
         }
     }
 
+    /// Of one spring, in `f64`.
+    #[cfg_attr(feature = "compact", inline(never))]
+    pub fn exact_law(&self, spring: u32) -> Law<f64> {
+        let Law { stiffness, damping, rest_length } = self.law(spring);
+        Law { stiffness: stiffness.to_f64(), damping: damping.to_f64(), rest_length: rest_length.to_f64() }
+    }
+
     /// The slots from 0 to `attached`, each with its springs in the order in which their forces are added.
     pub fn by_slot(self, attached: u32) -> impl Iterator<Item = (u32, &'a [Incidence])> {
         let mut start = 0;
@@ -222,9 +267,7 @@ impl<'a, R: Real> Springs<'a, R> {
 
 /// Those of one slot.
 pub fn incidences_of<'a>(slot: u32, incidence_end: &[u32], incidences: &'a [Incidence]) -> &'a [Incidence] {
-    let start = slot.checked_sub(1).map_or(0, |before| at(incidence_end, before));
-    let end = at(incidence_end, slot);
-    incidences.get(start as usize..end as usize).unwrap_or_default()
+    part(incidences, items_of(incidence_end, slot)).unwrap_or_default()
 }
 
 /// What stays as it is while a step is made.
@@ -254,6 +297,7 @@ pub struct System<'a, R> {
 
 impl<R: Real> System<'_, R> {
     /// Whether a particle moves as the forces on it say.
+    #[cfg_attr(feature = "compact", inline(never))]
     pub fn is_dynamic(&self, slot: u32) -> bool {
         at(self.inverse_mass, slot) > R::ZERO
     }
@@ -389,17 +433,14 @@ impl<'a, R: Real> View<'a, R> {
         if finite {
             return Ok(());
         }
-        let (position, velocity) = (read(&self.next.position), read(&self.next.velocity));
-        let is_finite = |[x, y, z]: [R; 3]| x.is_finite() & y.is_finite() & z.is_finite();
-        let mut lowest = None;
+        let mut lowest = u32::MAX;
         for slot in first..self.system.plan.particles {
-            let particle = at(self.system.particle_at, slot);
-            if !(is_finite(fetch(position, slot)) & is_finite(fetch(velocity, slot)))
-                && lowest.is_none_or(|lowest| particle < lowest)
-            {
-                lowest = Some(particle);
+            let [position, velocity] = [self.next.position_of(slot), self.next.velocity_of(slot)];
+            if !position.iter().chain(&velocity).all(|component| component.is_finite()) {
+                lowest = lowest.min(at(self.system.particle_at, slot));
             }
         }
-        lowest.map_or(Ok(()), |particle| Err(StepError::NonFinite { particle }))
+        // There is no particle of this number.
+        if lowest == u32::MAX { Ok(()) } else { Err(StepError::NonFinite { particle: lowest }) }
     }
 }
