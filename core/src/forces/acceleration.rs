@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::lanes::{Kernel, Present, Set};
-use crate::vectors::{Columns, ColumnsMut, lend, part, read, set, triples, triples_mut};
+use crate::vectors::{Columns, ColumnsMut, lend, part, read, triples};
 use crate::world::System;
 
 /// Where the accelerations of a tile's particles come from: one for the whole tile, so that it is asked once, not for each of
@@ -149,10 +149,19 @@ impl<R: Real> Kernel for Write<'_, '_, R> {
 impl<R: Real> Write<'_, '_, R> {
     #[inline(always)]
     fn by(self, rule: impl Rule<R>) {
-        for (below, acceleration) in triples_mut(self.below).zip(self.rest.accelerations(rule)) {
-            let a = acceleration(below.each_ref().map(|component| **component));
-            set(below, a);
+        let Rest { above, inverse_mass, gravity, .. } = self.rest;
+        for ((below, above), g) in self.below.into_iter().zip(above).zip(gravity) {
+            write_along(rule, g, inverse_mass, below, above);
         }
+    }
+}
+
+/// Along one axis.
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
+pub fn write_along<R: Real>(rule: impl Rule<R>, g: R, inverse_mass: &[R], below: &mut [R], above: &[R]) {
+    for ((below, above), inverse_mass) in below.iter_mut().zip(above).zip(inverse_mass) {
+        *below = rule.along(g, *inverse_mass, *below, *above);
     }
 }
 

@@ -3,7 +3,7 @@
 //!
 //! Every sum is taken in the order of `world/order.rs`, so that the bits are those of `tiles.rs`.
 
-use super::acceleration::{Falling, Pulled, Rule, Tile};
+use super::acceleration::{Falling, Pulled, Tile, write_along};
 use super::law::Tension;
 use super::tiles::{Accelerations, Outcome, Then};
 use crate::Real;
@@ -49,7 +49,13 @@ pub fn go_through<R: Real, F: Tension>(
         let mut accelerations = cut_mut(lend(&mut out), start..end)?;
         let inverse_mass = part(inverse_mass, start..end)?;
         let axes = lend(&mut accelerations).into_iter().zip(read(&above)).zip(system.gravity);
-        axes.for_each(|((below, above), g)| accelerate(is_pulled, g, inverse_mass, below, above));
+        axes.for_each(|((below, above), g)| {
+            if is_pulled {
+                write_along(Pulled, g, inverse_mass, below, above);
+            } else {
+                write_along(Falling, g, inverse_mass, below, above);
+            }
+        });
         if let Some(hold_up) = system.support.filter(|_| is_pulled) {
             hold_up(system, start..end, position.value, velocity, lend(&mut accelerations));
         }
@@ -57,15 +63,4 @@ pub fn go_through<R: Real, F: Tension>(
         start = end;
     }
     Some(outcome)
-}
-
-/// Along one axis in a field g, from the forces from below to accelerations, in their place.
-fn accelerate<R: Real>(is_pulled: bool, g: R, inverse_mass: &[R], below: &mut [R], above: &[R]) {
-    for ((below, above), inverse_mass) in below.iter_mut().zip(above).zip(inverse_mass) {
-        *below = if is_pulled {
-            Pulled.along(g, *inverse_mass, *below, *above)
-        } else {
-            Falling.along(g, *inverse_mass, *below, *above)
-        };
-    }
 }

@@ -9,8 +9,8 @@ use crate::Real;
 use crate::vectors::{along, difference, fetch, read, set, store, triples, triples_mut, window};
 use crate::world::{Law, Springs, stretches};
 
-/// Springs whose roots and divisions are taken together: what the widest lanes hold.
-const BATCH: usize = 16;
+/// Springs whose roots and divisions are taken together: what the widest lanes hold, or the narrowest.
+const BATCH: usize = if cfg!(feature = "compact") { 4 } else { 16 };
 
 /// Adds the forces of these springs. Returns how many of them have length 0.
 #[inline(always)]

@@ -45,19 +45,24 @@ impl<R: Real> Kernel for Drift<'_, R> {
     #[inline(always)]
     fn run(self, _set: impl Set) -> Option<bool> {
         let Self { dt, slots, position, velocity, acceleration, next_position, predicted, .. } = self;
-        let half = R::from_f64(0.5) * dt;
         let state = cut(position.value, slots.clone())?.into_iter().zip(cut(velocity, slots.clone())?);
         let columns = next_position.value.into_iter().zip(predicted).zip(state.zip(cut(acceleration, slots)?));
-        let mut infinite = 0;
-        for ((next, predicted), ((x, v), a)) in columns {
-            for ((next, predicted), ((x, v), a)) in next.iter_mut().zip(predicted).zip(x.iter().zip(v).zip(a)) {
-                *next = *x + dt * (*v + half * *a);
-                *predicted = *v + dt * *a;
-                infinite |= u32::from(!next.is_finite());
-            }
-        }
-        Some(infinite == 0)
+        Some(columns.fold(true, |finite, (next, now)| drift(dt, next, now) & finite))
     }
+}
+
+/// Along one axis.
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
+fn drift<R: Real>(dt: R, (next, predicted): (&mut [R], &mut [R]), ((x, v), a): ((&[R], &[R]), &[R])) -> bool {
+    let half = R::from_f64(0.5) * dt;
+    let mut infinite = 0;
+    for ((next, predicted), ((x, v), a)) in next.iter_mut().zip(predicted).zip(x.iter().zip(v).zip(a)) {
+        *next = *x + dt * (*v + half * *a);
+        *predicted = *v + dt * *a;
+        infinite |= u32::from(!next.is_finite());
+    }
+    infinite == 0
 }
 
 impl<R: Real> Divisible for Drift<'_, R> {
@@ -119,19 +124,23 @@ impl<R: Real> Kernel for Kick<'_, R> {
     #[inline(always)]
     fn run(self, _set: impl Set) -> Option<bool> {
         let Self { dt, slots, velocity, acceleration, next_acceleration, next_velocity, .. } = self;
-        let half = R::from_f64(0.5) * dt;
         let accelerations = cut(acceleration, slots.clone())?.into_iter().zip(cut(next_acceleration, slots.clone())?);
-        let mut infinite = 0;
-        for (next, (v, (a, next_a))) in
-            next_velocity.value.into_iter().zip(cut(velocity.value, slots)?.into_iter().zip(accelerations))
-        {
-            for ((next, v), (a, next_a)) in next.iter_mut().zip(v).zip(a.iter().zip(next_a)) {
-                *next = *v + half * (*a + *next_a);
-                infinite |= u32::from(!next.is_finite());
-            }
-        }
-        Some(infinite == 0)
+        let columns = next_velocity.value.into_iter().zip(cut(velocity.value, slots)?.into_iter().zip(accelerations));
+        Some(columns.fold(true, |finite, (next, now)| kick(dt, next, now) & finite))
     }
+}
+
+/// Along one axis.
+#[cfg_attr(feature = "compact", inline(never))]
+#[cfg_attr(not(feature = "compact"), inline(always))]
+fn kick<R: Real>(dt: R, next: &mut [R], (v, (a, next_a)): (&[R], (&[R], &[R]))) -> bool {
+    let half = R::from_f64(0.5) * dt;
+    let mut infinite = 0;
+    for ((next, v), (a, next_a)) in next.iter_mut().zip(v).zip(a.iter().zip(next_a)) {
+        *next = *v + half * (*a + *next_a);
+        infinite |= u32::from(!next.is_finite());
+    }
+    infinite == 0
 }
 
 impl<R: Real> Divisible for Kick<'_, R> {
