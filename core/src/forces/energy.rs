@@ -86,6 +86,7 @@ fn pull<R: Real>(system: &System<'_, R>, state: &State<'_, R>, slot: u32, incide
 }
 
 /// Along a spring from one end to the other, m; its length, m, and how fast that grows, m/s.
+#[inline]
 fn stretch<R: Real>(state: &State<'_, R>, [i, j]: [u32; 2]) -> ([f64; 3], f64, f64) {
     let d = difference(state.exact_position(j), state.exact_position(i));
     let v = difference(state.exact_velocity(j), state.exact_velocity(i));

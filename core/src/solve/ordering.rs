@@ -236,7 +236,7 @@ impl Ordering<'_> {
             let Node { slots, elements, .. } = *self.node(slot);
             let start = Self::links_of(system, slot) + slots;
             for link in start..start + elements {
-                let node = self.node_mut(self.link_at(link));
+                let Some(node) = self.nodes.get_mut(at(self.links, link) as usize) else { continue };
                 if node.previous == NONE {
                     continue;
                 }

@@ -85,7 +85,7 @@ fn entry(a: u32, b: u32, column_end: &[u32], rows: &[u32]) -> u32 {
     }
     let entries = items_of(column_end, column);
     let rows = part(rows, entries.clone()).unwrap_or_default();
-    entries.zip(rows).find(|(_, other)| **other == row).map_or(NONE, |(entry, _)| entry)
+    rows.binary_search(&row).map_or(NONE, |place| entries.start + place as u32)
 }
 
 /// A number that tells one topology from another: who is joined to whom, and who is held.
