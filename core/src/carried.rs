@@ -5,7 +5,8 @@ use core::ops::Range;
 use crate::Real;
 use crate::lanes::{self, Present, SixColumns};
 use crate::vectors::{
-    Columns, ColumnsMut, cut, cut_mut, difference, fetch, lend, read, split, store, stretch, triples, triples_mut,
+    Columns, ColumnsMut, cut, cut_mut, difference, fetch, fetch_inlined, lend, read, split, store, stretch, triples,
+    triples_mut,
 };
 
 /// Three columns and their residuals, read.
@@ -34,8 +35,8 @@ impl<R: Real> Carried<'_, R> {
     /// Vector `to` less vector `from`.
     #[inline(always)]
     pub fn difference(self, to: u32, from: u32) -> [R; 3] {
-        let value = difference(fetch(self.value, to), fetch(self.value, from));
-        corrected(value, fetch(self.residual, to), fetch(self.residual, from))
+        let value = difference(fetch_inlined(self.value, to), fetch_inlined(self.value, from));
+        corrected(value, fetch_inlined(self.residual, to), fetch_inlined(self.residual, from))
     }
 
     /// Vector `index`.

@@ -4,8 +4,10 @@
 
 use crate::forces::{Damped, Damping, SpringsOf, Write};
 use crate::lanes::{self, Present};
+use crate::solve::Scratch;
 use crate::steppers::{Along, Drift, Kick, Particles, Sums};
 use crate::vectors::ColumnsMut;
+use crate::world::{State, System};
 use crate::{Compensated, Real};
 
 /// The hot loops in one precision.
@@ -34,6 +36,13 @@ pub trait HotLoops: Sized {
     where
         Self: Real;
     fn kick(lanes: Present, kick: Kick<'_, Self>) -> Option<bool>
+    where
+        Self: Real;
+    /// Those of implicit steppers: all springs evaluated, and their resistance times a vector.
+    fn evaluate(scratch: &mut Scratch<'_, Self>, system: &System<'_, Self>, state: &State<'_, Self>, dt: Self) -> u32
+    where
+        Self: Real;
+    fn multiply(scratch: &mut Scratch<'_, Self>, system: &System<'_, Self>)
     where
         Self: Real;
     /// Those of steppers with stages.
@@ -76,6 +85,19 @@ macro_rules! compile_for {
             #[inline(never)]
             fn kick(lanes: Present, kick: Kick<'_, Self>) -> Option<bool> {
                 lanes::run(lanes, kick)
+            }
+            #[inline(never)]
+            fn evaluate(
+                scratch: &mut Scratch<'_, Self>,
+                system: &System<'_, Self>,
+                state: &State<'_, Self>,
+                dt: Self,
+            ) -> u32 {
+                scratch.evaluate(system, state, dt)
+            }
+            #[inline(never)]
+            fn multiply(scratch: &mut Scratch<'_, Self>, system: &System<'_, Self>) {
+                scratch.add_product(system);
             }
             #[inline(never)]
             fn sum(lanes: Present, sums: Sums<'_, '_, Self>) -> Option<bool> {

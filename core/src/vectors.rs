@@ -52,6 +52,12 @@ pub fn items_of(ends: &[u32], index: u32) -> Range<u32> {
 #[cfg_attr(feature = "compact", inline(never))]
 #[cfg_attr(not(feature = "compact"), inline(always))]
 pub fn fetch<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
+    fetch_inlined(columns, index)
+}
+
+/// The same in a hot loop, where a call would take longer.
+#[inline(always)]
+pub fn fetch_inlined<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
     let ([x, y, z], index) = (columns, index as usize);
     // One way out for all three: a branch that is never taken, where three defaults would each be selected.
     let (Some(x), Some(y), Some(z)) = (x.get(index), y.get(index), z.get(index)) else {
@@ -63,7 +69,13 @@ pub fn fetch<T: Copy + Default>(columns: Columns<'_, T>, index: u32) -> [T; 3] {
 /// Sets the vector of particle `index`.
 #[cfg_attr(feature = "compact", inline(never))]
 #[cfg_attr(not(feature = "compact"), inline(always))]
-pub fn store<T>([x, y, z]: &mut ColumnsMut<'_, T>, index: u32, vector: [T; 3]) {
+pub fn store<T>(columns: &mut ColumnsMut<'_, T>, index: u32, vector: [T; 3]) {
+    store_inlined(columns, index, vector);
+}
+
+/// The same in a hot loop.
+#[inline(always)]
+pub fn store_inlined<T>([x, y, z]: &mut ColumnsMut<'_, T>, index: u32, vector: [T; 3]) {
     let index = index as usize;
     if let (Some(x), Some(y), Some(z)) = (x.get_mut(index), y.get_mut(index), z.get_mut(index)) {
         [*x, *y, *z] = vector;

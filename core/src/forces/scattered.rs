@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::law::Tension;
 use super::tiles::Forces;
 use crate::Real;
-use crate::vectors::{along, difference, fetch, read, set, store, triples, triples_mut, window};
+use crate::vectors::{along, difference, fetch_inlined, read, set, store_inlined, triples, triples_mut, window};
 use crate::world::{Law, Springs, stretches};
 
 /// Springs whose roots and divisions are taken together: what the widest lanes hold, or the narrowest.
@@ -29,7 +29,7 @@ fn add_batch<R: Real, F: Tension>(springs: &Springs<'_, R>, batch: Range<u32>, f
     for ((d, v), &[i, j]) in vectors.zip(ends) {
         set(d, forces.states.position.difference(j, i));
         if F::READS_VELOCITY {
-            set(v, difference(fetch(forces.states.velocity, j), fetch(forces.states.velocity, i)));
+            set(v, difference(fetch_inlined(forces.states.velocity, j), fetch_inlined(forces.states.velocity, i)));
         }
     }
     let laws = window([springs.stiffness, springs.damping, springs.rest_length], batch).map(batched);
@@ -46,12 +46,12 @@ fn add_batch<R: Real, F: Tension>(springs: &Springs<'_, R>, batch: Range<u32>, f
     let vectors = triples(d.each_ref().map(<[R; BATCH]>::as_slice));
     for ((&[i, j], (q, directed)), d) in ends.iter().zip(q.iter().zip(&directed)).zip(vectors) {
         let above = i - forces.start;
-        let pulled = along(fetch(read(&forces.above), above), *q, d);
-        store(&mut forces.above, above, pulled);
+        let pulled = along(fetch_inlined(read(&forces.above), above), *q, d);
+        store_inlined(&mut forces.above, above, pulled);
         // Past the slots that are asked for, nothing is stored.
         let below = j.wrapping_sub(forces.slots.start);
-        let pulled = along(fetch(read(&forces.below), below), -*q, d);
-        store(&mut forces.below, below, pulled);
+        let pulled = along(fetch_inlined(read(&forces.below), below), -*q, d);
+        store_inlined(&mut forces.below, below, pulled);
         degenerate += u32::from(!directed);
     }
     degenerate

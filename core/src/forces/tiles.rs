@@ -74,7 +74,7 @@ impl<R: Real, F: Pull> Accelerations<'_, R, &mut dyn Then<R>, F> {
     /// With room for the forces from above on the particles of a tile, or on all if they are fewer, all 0. Nothing if a
     /// column is too short.
     pub fn go_through(&mut self, mut from_above: ColumnsMut<'_, R>) -> Option<Outcome> {
-        if cfg!(feature = "small") || cfg!(feature = "compact") && !F::PULLS_UNDAMPED {
+        if cfg!(feature = "small") {
             return plain::go_through(self, from_above);
         }
         // Lent, as it is too large to be moved about.

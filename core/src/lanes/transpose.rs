@@ -16,12 +16,13 @@ pub type Turned<R> = [[R; 8]; 6];
 pub trait Set: Copy {
     /// Bytes of each of six columns that fit its registers at once, beside what is added to them; where there are no
     /// vectors, one item at a time does: long stretches of unrolled code would only take flash.
-    const BYTES_OF_SIX: usize = match cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128")) {
-        // One vector, for the sake of less code.
-        true if cfg!(feature = "compact") => 16,
-        true => 32,
-        false => 0,
-    };
+    const BYTES_OF_SIX: usize =
+        match cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128")) {
+            // One vector, for the sake of less code.
+            true if cfg!(feature = "compact") => 16,
+            true => 32,
+            false => 0,
+        };
 
     /// Turns rows into columns.
     #[inline(always)]

@@ -59,7 +59,7 @@ impl<R: Real> Scratch<'_, R> {
             for ((product, search), mass) in self.product.iter_mut().zip(self.search.iter()).zip(system.mass) {
                 *product = scaled(*mass, *search);
             }
-            self.add_product(system);
+            R::multiply(self, system);
             confine(system, self.support, self.product);
             solved.iterations += 1;
             let curvature = inner_product(count, self.search, self.product);

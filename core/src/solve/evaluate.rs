@@ -2,7 +2,7 @@
 
 use super::workspace::Scratch;
 use crate::Real;
-use crate::vectors::{difference, dot, scaled};
+use crate::vectors::{difference, dot, fetch_inlined, read, scaled};
 use crate::world::{Coverage, State, System};
 
 /// The impulse of the springs on a particle in a step, kg·m/s, and what it is made of: Σ dt|tension|, then
@@ -15,11 +15,12 @@ impl<R: Real> Scratch<'_, R> {
         self.blocks.as_flattened_mut().fill(R::ZERO);
         let is_damped = system.plan.damped != Coverage::None;
         let springs = system.springs;
+        let (position, velocity) = (read(&state.position), read(&state.velocity));
         let parameters = springs.stiffness.iter().zip(springs.damping).zip(springs.rest_length);
         let records = self.axis.iter_mut().zip(self.force_density.iter_mut());
         let mut degenerate = 0;
         for ((&[i, j], (axis, q)), ((&k, &k_d), &rest_length)) in springs.ends.iter().zip(records).zip(parameters) {
-            let d = difference(state.position_of(j), state.position_of(i));
+            let d = difference(fetch_inlined(position, j), fetch_inlined(position, i));
             let length = dot(d, d).sqrt();
             let mut strength = dt * k;
             if is_damped {
@@ -34,7 +35,7 @@ impl<R: Real> Scratch<'_, R> {
                 *axis = scaled(inverse_length, d);
                 tension = k * (length - rest_length);
                 if is_damped {
-                    let rate = dot(difference(state.velocity_of(j), state.velocity_of(i)), *axis);
+                    let rate = dot(difference(fetch_inlined(velocity, j), fetch_inlined(velocity, i)), *axis);
                     tension += k_d * rate;
                 }
                 *q = tension * inverse_length;
@@ -50,8 +51,7 @@ impl<R: Real> Scratch<'_, R> {
     }
 }
 
-#[cfg_attr(feature = "compact", inline(never))]
-#[cfg_attr(not(feature = "compact"), inline(always))]
+#[inline(always)]
 fn add<R: Real>(impulses: &mut [Impulse<R>], slot: u32, impulse: &Impulse<R>) {
     if let Some(sum) = impulses.get_mut(slot as usize) {
         for (sum, part) in sum.iter_mut().zip(impulse) {

@@ -20,5 +20,5 @@ mod worth;
 
 pub(crate) use newton::{Tolerance, newton};
 pub(crate) use one_linearisation::one_linearisation;
-pub(crate) use workspace::Workspace;
+pub(crate) use workspace::{Scratch, Workspace};
 pub use worth::{Elimination, LinearSolver};

@@ -21,14 +21,14 @@ pub fn one_linearisation<R: Real>(
     let mut report = StepReport { iterations: 1, ..StepReport::default() };
     start(view, dt, scratch, &mut report);
     let View { system, current, next, .. } = view;
-    scratch.evaluate(system, current, dt);
+    R::evaluate(scratch, system, current, dt);
     // The matrix holds dt²·K alone at first, so that its product with v is the right-hand side's.
     scratch.linearise(system, dt, Keep::Stiffness);
     for (slot, known) in (0..).zip(scratch.search.iter_mut()) {
         *known = current.velocity_of(slot);
     }
     scratch.product.as_flattened_mut().fill(R::ZERO);
-    scratch.add_product(system);
+    R::multiply(scratch, system);
     let mut size = 0.0;
     // `start` has left the accelerations in the direction.
     let known = scratch.direction.iter().zip(scratch.product.iter()).zip(scratch.support.iter());

@@ -46,7 +46,7 @@ pub fn residual<R: Real>(
     let View { system, current, next, .. } = view;
     advance_columns(&mut next.position, &current.position, dt, &next.velocity);
     report.force_evaluations += 1;
-    report.degenerate_springs = scratch.evaluate(system, next, dt);
+    report.degenerate_springs = R::evaluate(scratch, system, next, dt);
     let slots = 0..system.plan.attached;
     let known = scratch.blocks.iter().zip(scratch.support.iter()).zip(system.mass);
     for ((slot, residual), ((impulse, support), mass)) in slots.zip(scratch.residual.iter_mut()).zip(known) {

@@ -58,7 +58,7 @@ impl<R: Real, M: Storage> Stages<R> for Adaptive<R, M, Hairer, STAGES> {
 ///         true
 ///     }
 ///     fn advanced(&mut self, _: &mut View<'_, f64>, _: f64) {}
-///     fn advanced_by(&mut self, view: &mut View<'_, f64>, dt: f64, stepper: &mut impl Stepper<f64>) {
+///     fn advanced_by(&mut self, view: &mut View<'_, f64>, dt: f64, stepper: &mut (impl Stepper<f64> + ?Sized)) {
 ///         self.0 = stepper.between(view, dt, 0.5 * dt).and_then(|view| view.position(1)).map_or(f64::NAN, |x| x.x);
 ///     }
 ///     fn lost_in_impacts(&mut self, _: f64) {}
