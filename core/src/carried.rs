@@ -44,6 +44,15 @@ impl<R: Real> Carried<'_, R> {
         zip(fetch(self.value, index), fetch(self.residual, index))
     }
 
+    /// Writes the vectors of these slots, each number rounded to `f32`.
+    #[inline(always)]
+    pub fn tell(self, slots: &[u32], to: &mut [[f32; 3]]) {
+        for (to, slot) in to.iter_mut().zip(slots) {
+            let vector = zip(fetch_inlined(self.value, *slot), fetch_inlined(self.residual, *slot));
+            *to = vector.map(|(value, residual)| value.told(residual).to_f64() as f32);
+        }
+    }
+
     /// The sum of vector `index` and an increment.
     pub fn plus(self, index: u32, increment: [R; 3]) -> [(R, R::Residual); 3] {
         zip(self.fetch(index), increment).map(|((value, residual), increment)| value.plus(residual, increment))

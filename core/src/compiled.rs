@@ -2,6 +2,7 @@
 //! generic over it. Such a program may be compiled for size, or not be optimised at all, and they are fast all the same if this
 //! crate is given another `opt-level`.
 
+use crate::carried::Carried;
 use crate::forces::{Damped, Damping, SpringsOf, Write};
 use crate::lanes::{self, Present};
 use crate::solve::Scratch;
@@ -12,6 +13,10 @@ use crate::{Compensated, Real};
 
 /// The hot loops in one precision.
 pub trait HotLoops: Sized {
+    /// Columns as graphics take them.
+    fn tell(columns: Carried<'_, Self>, slots: &[u32], to: &mut [[f32; 3]])
+    where
+        Self: Real;
     /// Forces of springs.
     fn pull(lanes: Present, springs: SpringsOf<'_, '_, '_, Self, Damped>) -> Option<u32>
     where
@@ -54,6 +59,10 @@ pub trait HotLoops: Sized {
 macro_rules! compile_for {
     ($($real:ty),*) => {$(
         impl HotLoops for $real {
+            #[inline(never)]
+            fn tell(columns: Carried<'_, Self>, slots: &[u32], to: &mut [[f32; 3]]) {
+                columns.tell(slots, to);
+            }
             #[inline(never)]
             fn pull(lanes: Present, springs: SpringsOf<'_, '_, '_, Self, Damped>) -> Option<u32> {
                 lanes::run(lanes, springs)

@@ -23,6 +23,33 @@ impl<R: Real, M: Storage> Container<R, M> {
         states_of(state.position(), state.velocity(), self.particles.slot_of.items())
     }
 
+    /// Writes where particles are, m, in the order of their numbers, each coordinate rounded to `f32` as graphics take them; as
+    /// many as there is room for.
+    ///
+    /// ```
+    /// use hooke::{Particle, World};
+    ///
+    /// let mut world = World::<f64, 2, 1, 0>::new();
+    /// world.add_particle(Particle::at([0.5, 0.0, -2.0]))?;
+    /// world.add_particle(Particle::at([0.1, 0.0, 0.0]))?;
+    /// let mut buffer = [[0.0; 3]; 2];
+    /// world.write_positions(&mut buffer);
+    /// assert_eq!(buffer, [[0.5, 0.0, -2.0], [0.1, 0.0, 0.0]]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn write_positions(&self, to: &mut [[f32; 3]]) {
+        let [a, b] = &self.particles.state;
+        let state = if self.front == 0 { a } else { b };
+        R::tell(state.position(), self.particles.slot_of.items(), to);
+    }
+
+    /// Writes how fast particles move, m/s, likewise.
+    pub fn write_velocities(&self, to: &mut [[f32; 3]]) {
+        let [a, b] = &self.particles.state;
+        let state = if self.front == 0 { a } else { b };
+        R::tell(state.velocity(), self.particles.slot_of.items(), to);
+    }
+
     /// All springs with their numbers, in no particular order.
     pub fn springs(&self) -> impl ExactSizeIterator<Item = (u32, Spring<R>)> {
         (0..self.springs.count()).map(|place| self.spring_in(place))

@@ -33,9 +33,16 @@ pub unsafe extern "C" fn hooke_read(
     unsafe {
         with(world, |engine| {
             check_length(engine, length)?;
-            let position = Vectors::Double(items_mut_if_any(position, length)?.as_chunks_mut().0);
-            let velocity = Vectors::Double(items_mut_if_any(velocity, length)?.as_chunks_mut().0);
-            read(engine, position, velocity);
+            let mut positions = items_mut_if_any(position, length)?.as_chunks_mut().0.iter_mut();
+            let mut velocities = items_mut_if_any(velocity, length)?.as_chunks_mut().0.iter_mut();
+            engine!(engine, engine => for [x, v] in engine.states() {
+                if let Some(to) = positions.next() {
+                    *to = x;
+                }
+                if let Some(to) = velocities.next() {
+                    *to = v;
+                }
+            });
             Ok(())
         })
     }
@@ -53,40 +60,20 @@ pub unsafe extern "C" fn hooke_read_single(
     unsafe {
         with(world, |engine| {
             check_length(engine, length)?;
-            let position = Vectors::Single(items_mut_if_any(position, length)?.as_chunks_mut().0);
-            let velocity = Vectors::Single(items_mut_if_any(velocity, length)?.as_chunks_mut().0);
-            read(engine, position, velocity);
+            let position = items_mut_if_any(position, length)?.as_chunks_mut().0;
+            let velocity = items_mut_if_any(velocity, length)?.as_chunks_mut().0;
+            engine!(engine, engine => {
+                engine.world.write_positions(position);
+                engine.world.write_velocities(velocity);
+            });
             Ok(())
         })
-    }
-}
-
-/// Where vectors are written to; those that have no place there are left out.
-enum Vectors<'a> {
-    Single(&'a mut [[f32; 3]]),
-    Double(&'a mut [[f64; 3]]),
-}
-
-impl Vectors<'_> {
-    fn write(&mut self, place: usize, vector: [f64; 3]) {
-        let [x, y, z] = vector;
-        match self {
-            Self::Single(vectors) => vectors.get_mut(place).map(|to| *to = [x as f32, y as f32, z as f32]),
-            Self::Double(vectors) => vectors.get_mut(place).map(|to| *to = vector),
-        };
     }
 }
 
 fn check_length(engine: &AnyEngine, length: usize) -> Outcome {
     let [particles, ..] = engine!(engine, engine => engine.counts());
     if length == 3 * particles as usize { Ok(()) } else { Err(HookeCode::Length.into()) }
-}
-
-fn read(engine: &AnyEngine, mut position: Vectors<'_>, mut velocity: Vectors<'_>) {
-    engine!(engine, engine => for (place, [x, v]) in engine.states().enumerate() {
-        position.write(place, x);
-        velocity.write(place, v);
-    });
 }
 
 /// Opens the energy ledger, or opens it anew: from now on it is followed through every step, which costs time.
