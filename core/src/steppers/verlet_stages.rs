@@ -47,7 +47,11 @@ impl<R: Real> Kernel for Drift<'_, R> {
         let Self { dt, slots, position, velocity, acceleration, next_position, predicted, .. } = self;
         let state = cut(position.value, slots.clone())?.into_iter().zip(cut(velocity, slots.clone())?);
         let columns = next_position.value.into_iter().zip(predicted).zip(state.zip(cut(acceleration, slots)?));
-        Some(columns.fold(true, |finite, (next, now)| drift(dt, next, now) & finite))
+        let mut finite = true;
+        for (next, now) in columns {
+            finite &= drift(dt, next, now);
+        }
+        Some(finite)
     }
 }
 
@@ -126,7 +130,11 @@ impl<R: Real> Kernel for Kick<'_, R> {
         let Self { dt, slots, velocity, acceleration, next_acceleration, next_velocity, .. } = self;
         let accelerations = cut(acceleration, slots.clone())?.into_iter().zip(cut(next_acceleration, slots.clone())?);
         let columns = next_velocity.value.into_iter().zip(cut(velocity.value, slots)?.into_iter().zip(accelerations));
-        Some(columns.fold(true, |finite, (next, now)| kick(dt, next, now) & finite))
+        let mut finite = true;
+        for (next, now) in columns {
+            finite &= kick(dt, next, now);
+        }
+        Some(finite)
     }
 }
 
