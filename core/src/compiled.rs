@@ -30,7 +30,10 @@ pub trait HotLoops: Sized {
     where
         Self: Real;
     /// The Eulers' steps from accelerations, in one precision, along an axis and along all.
-    fn update(along: Along<'_, Self>) -> bool
+    fn update_explicitly(along: Along<'_, Self>) -> bool
+    where
+        Self: Real;
+    fn update_semi_implicitly(along: Along<'_, Self>) -> bool
     where
         Self: Real;
     fn update_all(particles: Particles<'_, Self>, below: ColumnsMut<'_, Self>, next: ColumnsMut<'_, Self>) -> bool
@@ -76,8 +79,12 @@ macro_rules! compile_for {
                 lanes::run(lanes, accelerations);
             }
             #[inline(never)]
-            fn update(along: Along<'_, Self>) -> bool {
-                along.update()
+            fn update_explicitly(along: Along<'_, Self>) -> bool {
+                along.update::<true>()
+            }
+            #[inline(never)]
+            fn update_semi_implicitly(along: Along<'_, Self>) -> bool {
+                along.update::<false>()
             }
             #[inline(never)]
             fn update_all(

@@ -6,7 +6,6 @@ use crate::types::{StepError, StepReport};
 use crate::world::View;
 
 /// Advances a whole step, the last part of it to the next state.
-#[cfg_attr(feature = "compact", inline(never))]
 pub fn advance_in_parts<R: Real>(
     view: &mut View<'_, R>,
     stepper: &mut (impl Stepper<R> + ?Sized),

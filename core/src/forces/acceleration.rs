@@ -109,11 +109,11 @@ impl<'a, R: Real> Tile<'a, R> {
     /// Writes the accelerations in place of the forces from below, and lends them.
     #[inline(always)]
     pub fn fresh(&mut self) -> Columns<'_, R> {
-        let rest = core::mem::replace(&mut self.rest.origin, Origin::Known);
-        R::write_accelerations(
-            self.rest.lanes,
-            Write { below: lend(&mut self.below), rest: Rest { origin: rest, ..self.rest } },
-        );
+        // `plain.rs` has written them already.
+        if !cfg!(feature = "small") {
+            R::write_accelerations(self.rest.lanes, Write { below: lend(&mut self.below), rest: self.rest });
+            self.rest.origin = Origin::Known;
+        }
         read(&self.below)
     }
 }

@@ -73,9 +73,10 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
         if cfg!(feature = "compact") {
             tile.fresh();
             let ([x, y, z], [u, v, w], [x_a, y_a, z_a]) = (x, v, tile.below);
-            let finite = R::update(Along { explicit: EXPLICIT, dt, x, v: u, a: x_a, next: x_next });
-            let finite = R::update(Along { explicit: EXPLICIT, dt, x: y, v, a: y_a, next: y_next }) & finite;
-            return R::update(Along { explicit: EXPLICIT, dt, x: z, v: w, a: z_a, next: z_next }) & finite;
+            let update = if EXPLICIT { R::update_explicitly } else { R::update_semi_implicitly };
+            let finite = update(Along { dt, x, v: u, a: x_a, next: x_next });
+            let finite = update(Along { dt, x: y, v, a: y_a, next: y_next }) & finite;
+            return update(Along { dt, x: z, v: w, a: z_a, next: z_next }) & finite;
         }
         let particles = Particles { explicit: EXPLICIT, dt, x, v, rest: tile.rest };
         R::update_all(particles, tile.below, [x_next, y_next, z_next])
@@ -95,7 +96,6 @@ impl<R: Real, const EXPLICIT: bool> Follow<R> for Update<'_, R, EXPLICIT> {
 
 /// One axis of a tile's particles, for programs that have less flash than time.
 pub struct Along<'a, R> {
-    explicit: bool,
     dt: R,
     x: &'a [R],
     v: &'a [R],
@@ -108,12 +108,7 @@ pub struct Along<'a, R> {
 impl<R: Real> Along<'_, R> {
     /// Returns whether what is written is finite.
     #[inline(always)]
-    pub fn update(self) -> bool {
-        if self.explicit { self.by::<true>() } else { self.by::<false>() }
-    }
-
-    #[inline(always)]
-    fn by<const EXPLICIT: bool>(self) -> bool {
+    pub fn update<const EXPLICIT: bool>(self) -> bool {
         let Self { dt, x, v, a, next, .. } = self;
         let mut infinite = 0;
         for ((a, next), (x, v)) in a.iter_mut().zip(next).zip(x.iter().zip(v)) {
