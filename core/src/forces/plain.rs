@@ -7,7 +7,9 @@ use super::acceleration::{Falling, Pulled, Tile, write_along};
 use super::law::Tension;
 use super::tiles::{Accelerations, Outcome, Then};
 use crate::Real;
-use crate::vectors::{ColumnsMut, along, cut, cut_mut, difference, fetch, lend, part, read, store, window_mut};
+use crate::vectors::{
+    ColumnsMut, along, cut, cut_mut, difference, fetch_inlined, lend, part, read, store_inlined, window_mut,
+};
 use crate::world::{Coverage, TILE};
 
 /// Accelerations, and what follows, with room for the forces from above on the particles of a tile. Nothing if a column is
@@ -37,13 +39,17 @@ pub fn go_through<R: Real, F: Tension>(
             && i < end
         {
             let d = position.difference(j, i);
-            let v = if reads_velocity { difference(fetch(velocity, j), fetch(velocity, i)) } else { [R::ZERO; 3] };
+            let v = if reads_velocity {
+                difference(fetch_inlined(velocity, j), fetch_inlined(velocity, i))
+            } else {
+                [R::ZERO; 3]
+            };
             let (q, has_direction) = F::force_density(system.springs.law(spring), d, v);
             outcome.degenerate += u32::from(!has_direction);
-            let pulled = along(fetch(read(&above), i - start), q, d);
-            store(&mut above, i - start, pulled);
-            let pulled = along(fetch(read(&out), j), -q, d);
-            store(&mut out, j, pulled);
+            let pulled = along(fetch_inlined(read(&above), i - start), q, d);
+            store_inlined(&mut above, i - start, pulled);
+            let pulled = along(fetch_inlined(read(&out), j), -q, d);
+            store_inlined(&mut out, j, pulled);
             spring += 1;
         }
         let mut accelerations = cut_mut(lend(&mut out), start..end)?;

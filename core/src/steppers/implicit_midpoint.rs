@@ -22,7 +22,7 @@ impl<R: Real, M: Storage, const FILL: usize> ImplicitMidpoint<R, M, FILL> {
     /// 1e-6, say. 0 asks for as little as rounding allows. Without room for any particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
-        Self { workspace: const { Workspace::new() }, tolerance: Tolerance(tolerance) }
+        Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance) }
     }
 
     /// What solves the linear systems of steps of `dt` seconds, and why.

@@ -32,7 +32,7 @@ impl<R: Real, M: Storage, const FILL: usize> TrBdf2<R, M, FILL> {
     /// 1e-6, say. 0 asks for as little as rounding allows. Without room for any particles yet.
     #[must_use]
     pub const fn new(tolerance: f64) -> Self {
-        Self { workspace: const { Workspace::new() }, tolerance: Tolerance(tolerance), base: StateColumns::EMPTY }
+        Self { workspace: Workspace::new(), tolerance: Tolerance(tolerance), base: StateColumns::EMPTY }
     }
 
     /// What solves the linear systems of steps of `dt` seconds, and why.
