@@ -4,6 +4,7 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::Real;
+use crate::compiled::Compiled;
 
 /// An `f32` in a world whose positions and velocities carry what their sums have lost in rounding, so that machines
 /// without `f64` get errors of `f64`'s kind: steps may be as short as they like, and places as far from the origin.
@@ -73,6 +74,7 @@ impl Real for Compensated {
     type Coordinate = f64;
     type Vec3 = glam::DVec3;
     type Residual = Self;
+    type Loops = Compiled;
     const IS_COMPENSATED: bool = true;
     const NO_RESIDUAL: Self = Self::ZERO;
     const NO_RESIDUALS: &'static [Self] = &[];

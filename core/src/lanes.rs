@@ -73,7 +73,7 @@ pub trait Kernel {
     /// What it returns.
     type Output;
     /// Its body: to be marked `#[inline(always)]`, as all that it calls, so that it is compiled for each set, which it
-    /// is told.
+    /// is told. With the feature `compact` some of what it calls is compiled once, for the whole program's set.
     fn run(self, set: impl Set) -> Self::Output;
 }
 

@@ -17,7 +17,7 @@
 //!   are put in another order (`world/renumber.rs`).
 //! - Forces take one pass over tiles of particles (`forces/tiles.rs`), each tile being stepped while it is in the first
 //!   cache. The hot loop is in `forces/diagonal.rs`; it is compiled for several sets of vector instructions ([`Lanes`]), and
-//!   tiles may be shared among threads ([`Workers`]). The hot loops are compiled with this crate, once for each precision
+//!   tiles may be shared among threads ([`Workers`]). The loops over springs are compiled with this crate, once for each precision
 //!   (`compiled.rs`), however the program is compiled that it is in.
 //! - What no tile can reach is not tested for hits (`reach.rs`).
 //! - Islands, the connected parts of the spring graph, sleep while they rest if [`Container::set_sleep`] allows it

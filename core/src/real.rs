@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-use crate::compiled::HotLoops;
+use crate::compiled::{Compiled, HotLoops};
 use crate::square_root;
 
 mod sealed {
@@ -19,7 +19,6 @@ mod sealed {
 /// There is no fused multiply-add here on purpose: it rounds once where others round twice.
 pub trait Real:
     sealed::Sealed
-    + HotLoops
     + Copy
     + Debug
     + Display
@@ -44,6 +43,9 @@ pub trait Real:
     /// What a number that is carried from step to step keeps of what it has lost in rounding: nothing but in
     /// [`crate::Compensated`].
     type Residual: Copy + Debug + Default + PartialEq + Send + Sync + 'static;
+    /// The hot loops in this precision.
+    #[doc(hidden)]
+    type Loops: HotLoops<Self>;
     /// Whether there is any.
     const IS_COMPENSATED: bool;
     /// Where nothing has been lost.
@@ -101,6 +103,7 @@ macro_rules! real {
             type Coordinate = Self;
             type Vec3 = $vector;
             type Residual = ();
+            type Loops = Compiled;
             const IS_COMPENSATED: bool = false;
             const NO_RESIDUAL: () = ();
             const NO_RESIDUALS: &'static [()] = &[(); usize::MAX];

@@ -31,7 +31,7 @@ pub trait Divisible: Sized + Send {
 /// Does the work, in halves for as long as there are threads for them.
 pub fn share<W: Divisible>(work: W, workers: Option<&dyn Workers>) -> W::Outcome {
     match workers {
-        // Who has no flash for a second copy has no threads either.
+        // A compact program has no second copy for threads.
         Some(workers) if !cfg!(feature = "compact") => among(work, workers, workers.count()),
         _ => work.alone(),
     }

@@ -4,6 +4,7 @@
 use core::ops::Range;
 
 use crate::Real;
+use crate::compiled::HotLoops;
 use crate::lanes::{Kernel, Present, Set};
 use crate::vectors::{Columns, ColumnsMut, lend, part, read, triples};
 use crate::world::System;
@@ -111,7 +112,7 @@ impl<'a, R: Real> Tile<'a, R> {
     pub fn fresh(&mut self) -> Columns<'_, R> {
         // `plain.rs` has written them already.
         if !cfg!(feature = "small") {
-            R::write_accelerations(self.rest.lanes, Write { below: lend(&mut self.below), rest: self.rest });
+            R::Loops::write_accelerations(self.rest.lanes, Write { below: lend(&mut self.below), rest: self.rest });
             self.rest.origin = Origin::Known;
         }
         read(&self.below)

@@ -2,6 +2,7 @@
 
 use super::tiles::SpringsOf;
 use crate::Real;
+use crate::compiled::HotLoops;
 use crate::lanes::Present;
 use crate::vectors::dot;
 use crate::world::Law;
@@ -67,7 +68,7 @@ impl Tension for Damped {
 
 impl Pull for Damped {
     fn pull<R: Real>(lanes: Present, springs: SpringsOf<'_, '_, '_, R, Self>) -> Option<u32> {
-        R::pull(lanes, springs)
+        R::Loops::pull(lanes, springs)
     }
 }
 
@@ -89,7 +90,7 @@ impl Tension for Damping {
 
 impl Pull for Damping {
     fn pull<R: Real>(lanes: Present, springs: SpringsOf<'_, '_, '_, R, Self>) -> Option<u32> {
-        R::damp(lanes, springs)
+        R::Loops::damp(lanes, springs)
     }
 }
 

@@ -4,6 +4,7 @@ use super::preconditioner::Preconditioner;
 use super::residual::norm;
 use super::workspace::Scratch;
 use crate::Real;
+use crate::compiled::HotLoops;
 use crate::contact::Support;
 use crate::sums::sum;
 use crate::vectors::{along, at, dot, scaled};
@@ -59,7 +60,7 @@ impl<R: Real> Scratch<'_, R> {
             for ((product, search), mass) in self.product.iter_mut().zip(self.search.iter()).zip(system.mass) {
                 *product = scaled(*mass, *search);
             }
-            R::multiply(self, system);
+            R::Loops::multiply(self, system);
             confine(system, self.support, self.product);
             solved.iterations += 1;
             let curvature = inner_product(count, self.search, self.product);

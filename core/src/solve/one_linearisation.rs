@@ -6,6 +6,7 @@ use super::newton::Tolerance;
 use super::start::start;
 use super::workspace::Scratch;
 use crate::Real;
+use crate::compiled::HotLoops;
 use crate::types::StepReport;
 use crate::vectors::{advance_columns, along, dot, scaled};
 use crate::world::View;
@@ -21,14 +22,14 @@ pub fn one_linearisation<R: Real>(
     let mut report = StepReport { iterations: 1, ..StepReport::default() };
     start(view, dt, scratch, &mut report);
     let View { system, current, next, .. } = view;
-    R::evaluate(scratch, system, current, dt);
+    R::Loops::evaluate(scratch, system, current, dt);
     // The matrix holds dt²·K alone at first, so that its product with v is the right-hand side's.
     scratch.linearise(system, dt, Keep::Stiffness);
     for (slot, known) in (0..).zip(scratch.search.iter_mut()) {
         *known = current.velocity_of(slot);
     }
     scratch.product.as_flattened_mut().fill(R::ZERO);
-    R::multiply(scratch, system);
+    R::Loops::multiply(scratch, system);
     let mut size = 0.0;
     // `start` has left the accelerations in the direction.
     let known = scratch.direction.iter().zip(scratch.product.iter()).zip(scratch.support.iter());

@@ -32,7 +32,7 @@ pub struct Node {
 
 impl Node {
     /// Of no slot.
-    const NOWHERE: Self = Self { previous: 0, next: 0, degree: 0, first: NONE, met: NONE, slots: 0, elements: 0 };
+    pub const NOWHERE: Self = Self { previous: 0, next: 0, degree: 0, first: NONE, met: NONE, slots: 0, elements: 0 };
 }
 
 /// What an ordering works on and what it comes to.

@@ -3,6 +3,7 @@
 use super::evaluate::Impulse;
 use super::workspace::Scratch;
 use crate::Real;
+use crate::compiled::HotLoops;
 use crate::sums::sum;
 use crate::types::StepReport;
 use crate::vectors::{advance_columns, along, at, difference, dot, exact, scaled};
@@ -46,7 +47,7 @@ pub fn residual<R: Real>(
     let View { system, current, next, .. } = view;
     advance_columns(&mut next.position, &current.position, dt, &next.velocity);
     report.force_evaluations += 1;
-    report.degenerate_springs = R::evaluate(scratch, system, next, dt);
+    report.degenerate_springs = R::Loops::evaluate(scratch, system, next, dt);
     let slots = 0..system.plan.attached;
     let known = scratch.blocks.iter().zip(scratch.support.iter()).zip(system.mass);
     for ((slot, residual), ((impulse, support), mass)) in slots.zip(scratch.residual.iter_mut()).zip(known) {

@@ -96,7 +96,7 @@ impl<R: Real, M: Storage, const FILL: usize> Room<R, M, FILL> {
             reach(&mut self.rows, [0; FILL], chunks)?;
             let ordering = Ordering {
                 nodes: self.nodes.items_mut(),
-                nowhere: Node::default(),
+                nowhere: Node::NOWHERE,
                 links: self.links.items_mut().as_flattened_mut(),
                 turn_of: self.turn_of.items_mut(),
                 slot_at: self.slot_at.items_mut(),

@@ -22,17 +22,17 @@ pub struct Workspace<R: Real, M: Storage, const FILL: usize> {
 
 /// The same as slices.
 pub struct Scratch<'a, R> {
-    /// Where a line search goes, m/s.
+    /// The solution of the linear system so far, and so where a line search goes, m/s.
     pub direction: &'a mut [[R; 3]],
     /// Of the equation, kg·m/s.
     pub residual: &'a mut [[R; 3]],
     /// What is left of the linear system's right-hand side, kg·m/s; the velocities that a line search starts from, m/s.
     pub spare: &'a mut [[R; 3]],
-    /// The search direction of the conjugate gradients.
+    /// The search direction of the conjugate gradients; the velocities now, where the equation is linearised once.
     pub search: &'a mut [[R; 3]],
-    /// The matrix times that.
+    /// The matrix times that, and then what the preconditioner makes of the rest.
     pub product: &'a mut [[R; 3]],
-    /// The inverses of the matrix's diagonal blocks; the impulses of the springs.
+    /// The matrix's diagonal blocks, or their inverses; the impulses of the springs.
     pub blocks: &'a mut [Symmetric<R>],
     /// What planes take from each particle.
     pub support: &'a mut [Support<R>],

@@ -5,6 +5,7 @@ use core::ops::Range;
 use super::stage_sums::Sums;
 use crate::Real;
 use crate::carried::Carried;
+use crate::compiled::HotLoops;
 use crate::forces::{Follow, Then, Tile};
 use crate::lanes::Present;
 use crate::vectors::{Columns, triples, window};
@@ -76,7 +77,7 @@ impl<R: Real> Combination<'_, R> {
     /// Nothing if a column is too short.
     fn combine(&mut self, tile: Range<u32>, fresh: Columns<'_, R>) -> Option<bool> {
         let lanes = self.lanes;
-        let mut finite = R::sum(lanes, Sums { combination: self, tile: tile.clone(), fresh })?;
+        let mut finite = R::Loops::sum(lanes, Sums { combination: self, tile: tile.clone(), fresh })?;
         if R::IS_COMPENSATED {
             let (x, v) = (self.state.0.cut(tile.clone())?, self.state.1.cut(tile.clone())?);
             let to = tile.start - self.first..tile.end - self.first;

@@ -2,6 +2,7 @@
 
 use crate::Real;
 use crate::carried::{Carried, CarriedMut};
+use crate::compiled::HotLoops;
 use crate::forces::{Falling, Follow, Known, Origin, Pulled, Rest, Rule, Then, Tile};
 use crate::lanes::{self, SixColumns};
 use crate::types::StepReport;
@@ -73,13 +74,13 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
         if cfg!(feature = "compact") {
             tile.fresh();
             let ([x, y, z], [u, v, w], [x_a, y_a, z_a]) = (x, v, tile.below);
-            let update = if EXPLICIT { R::update_explicitly } else { R::update_semi_implicitly };
+            let update = if EXPLICIT { R::Loops::update_explicitly } else { R::Loops::update_semi_implicitly };
             let finite = update(Along { dt, x, v: u, a: x_a, next: x_next });
             let finite = update(Along { dt, x: y, v, a: y_a, next: y_next }) & finite;
             return update(Along { dt, x: z, v: w, a: z_a, next: z_next }) & finite;
         }
         let particles = Particles { explicit: EXPLICIT, dt, x, v, rest: tile.rest };
-        R::update_all(particles, tile.below, [x_next, y_next, z_next])
+        R::Loops::update_all(particles, tile.below, [x_next, y_next, z_next])
     }
 }
 
@@ -94,7 +95,7 @@ impl<R: Real, const EXPLICIT: bool> Follow<R> for Update<'_, R, EXPLICIT> {
     }
 }
 
-/// One axis of a tile's particles, for programs that have less flash than time.
+/// One axis of a tile's particles, for programs that are to be compact.
 pub struct Along<'a, R> {
     dt: R,
     x: &'a [R],
@@ -109,7 +110,7 @@ impl<R: Real> Along<'_, R> {
     /// Returns whether what is written is finite.
     #[inline(always)]
     pub fn update<const EXPLICIT: bool>(self) -> bool {
-        let Self { dt, x, v, a, next, .. } = self;
+        let Self { dt, x, v, a, next } = self;
         let mut infinite = 0;
         for ((a, next), (x, v)) in a.iter_mut().zip(next).zip(x.iter().zip(v)) {
             let velocity = *v + dt * *a;

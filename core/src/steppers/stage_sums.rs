@@ -45,6 +45,7 @@ impl<R: Real> Sums<'_, '_, R> {
             16 => self.sum::<16, VELOCITY>(),
             8 => self.sum::<8, VELOCITY>(),
             4 => self.sum::<4, VELOCITY>(),
+            2 => self.sum::<2, VELOCITY>(),
             _ => self.sum::<1, VELOCITY>(),
         }
     }

@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::Real;
 use crate::carried::{Carried, CarriedMut};
+use crate::compiled::HotLoops;
 use crate::lanes::{Kernel, Present, Set};
 use crate::shared::Divisible;
 use crate::vectors::{Columns, ColumnsMut, along, cut, scaled, set, split, triples, triples_mut};
@@ -86,7 +87,7 @@ impl<R: Real> Divisible for Drift<'_, R> {
     }
 
     fn alone(self) -> bool {
-        let done = if R::IS_COMPENSATED { self.carry() } else { R::drift(self.lanes, self) };
+        let done = if R::IS_COMPENSATED { self.carry() } else { R::Loops::drift(self.lanes, self) };
         done.unwrap_or_default()
     }
 
@@ -167,7 +168,7 @@ impl<R: Real> Divisible for Kick<'_, R> {
     }
 
     fn alone(self) -> bool {
-        let done = if R::IS_COMPENSATED { self.carry() } else { R::kick(self.lanes, self) };
+        let done = if R::IS_COMPENSATED { self.carry() } else { R::Loops::kick(self.lanes, self) };
         done.unwrap_or_default()
     }
 

@@ -303,7 +303,7 @@ impl<R: Real, M: Storage> Container<R, M> {
         }
     }
 
-    /// Sorts particles into slots, and lists their springs: what a plan says of that.
+    /// Sorts particles into slots, lists their springs, and writes what the plan says of that.
     fn lay_out(&mut self) {
         let layout = partition(&mut self.particles, &mut self.springs, self.front, self.sleep);
         order(&mut self.springs, self.particles.inverse_mass.items(), layout.first_asleep());

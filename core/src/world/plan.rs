@@ -32,7 +32,7 @@ pub struct Plan {
     pub springs: u32,
     /// Springs between two held particles: they move nothing, and no step looks at them.
     pub idle: u32,
-    /// Springs with damping: without any, the force passes read no velocities.
+    /// Springs with damping: without any, the force passes read no velocities, but where a program is to be compact.
     pub damped: Coverage,
     /// Springs on diagonals: their particles are contiguous, so that whole vectors of them are stepped at once.
     pub on_diagonals: u32,

@@ -342,7 +342,8 @@ impl<'a, R: Real> View<'a, R> {
         self.clock.seconds()
     }
 
-    /// Shares the work of the steps that this view takes among threads. It pays from some 20,000 springs on.
+    /// Shares the work of the steps that this view takes among threads. It pays from some 20,000 springs on; with the feature
+    /// `compact` there is none to share.
     pub fn share_among(&mut self, workers: &'a dyn Workers) {
         self.system.workers = Some(workers);
     }

@@ -155,7 +155,8 @@ pub struct ArenaColumn<T, const OF: usize> {
     owns: PhantomData<T>,
 }
 
-/// A stretch of memory for items of some size: what is the same for columns of whatever.
+/// A stretch of memory for items of some size: what is the same for columns of whatever. All that is asked of one must be of the
+/// same [`Kind`].
 #[derive(Debug)]
 struct Stretch {
     start: NonNull<u8>,
@@ -213,7 +214,7 @@ impl Stretch {
     /// Makes it so many items long, and tells whether there is room: new ones are copies of one.
     ///
     /// # Safety
-    /// The one must be there to be read, outside of this stretch.
+    /// The one must be there to be read, as large as the kind says, outside of this stretch; and the kind the same in every call.
     unsafe fn fit(&mut self, kind: Kind, length: usize, one: *const u8) -> bool {
         if !self.reach(kind, length) {
             return false;

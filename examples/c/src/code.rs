@@ -117,7 +117,8 @@ impl Wrong {
 
     /// What is wrong.
     pub fn code(self) -> HookeCode {
-        HookeCode::numbered(self.code_number()).unwrap_or(HookeCode::Ok)
+        // Made of one of them.
+        HookeCode::numbered(self.code_number()).unwrap_or(HookeCode::NotFinite)
     }
 
     /// Whom it is about.

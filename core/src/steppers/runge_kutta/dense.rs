@@ -6,10 +6,13 @@ use super::tableau::weighted;
 use super::{Adaptive, RungeKutta};
 use crate::Real;
 use crate::roles::Stepper;
-use crate::steppers::combination::{Combination, Factors, Terms};
+use crate::steppers::combination::{Combination, Factors, MOST_STAGES, Terms};
 use crate::types::{Full, StepError, StepReport};
 use crate::vectors::{Columns, lend, read};
 use crate::world::{Column, Plan, StateColumns, Storage, View};
+
+// Sums have room for no more: with more stages this is not compiled.
+const _: usize = MOST_STAGES - ALL;
 
 /// A stepper whose last step is known stage by stage.
 pub trait Stages<R: Real> {

@@ -2,7 +2,7 @@
 
 use super::tableau::Tableau;
 use crate::Real;
-use crate::steppers::combination::{Combination, Factors, Terms};
+use crate::steppers::combination::{Combination, Factors, MOST_STAGES, Terms};
 use crate::types::StepReport;
 use crate::vectors::{Columns, ColumnsMut, lend, read};
 use crate::world::{Coverage, State, View};
@@ -21,6 +21,8 @@ pub struct Rows {
 impl Rows {
     /// Those of a tableau.
     pub const fn of<T: Tableau<STAGES>, const STAGES: usize>() -> Self {
+        // Sums have room for no more: with more stages this is not compiled.
+        let _ = const { MOST_STAGES - STAGES };
         Self {
             nodes: const { &T::NODES },
             position: const { &T::POSITION }.as_flattened(),

@@ -2,6 +2,7 @@
 
 use super::Container;
 use crate::Real;
+use crate::compiled::HotLoops;
 use crate::types::{Plane, SetError, Spring};
 use crate::vectors::{at, put};
 use crate::world::clock::Clock;
@@ -40,14 +41,14 @@ impl<R: Real, M: Storage> Container<R, M> {
     pub fn write_positions(&self, to: &mut [[f32; 3]]) {
         let [a, b] = &self.particles.state;
         let state = if self.front == 0 { a } else { b };
-        R::tell(state.position(), self.particles.slot_of.items(), to);
+        R::Loops::tell(state.position(), self.particles.slot_of.items(), to);
     }
 
     /// Writes how fast particles move, m/s, likewise.
     pub fn write_velocities(&self, to: &mut [[f32; 3]]) {
         let [a, b] = &self.particles.state;
         let state = if self.front == 0 { a } else { b };
-        R::tell(state.velocity(), self.particles.slot_of.items(), to);
+        R::Loops::tell(state.velocity(), self.particles.slot_of.items(), to);
     }
 
     /// All springs with their numbers, in no particular order.
