@@ -3,54 +3,18 @@
 use std::process::{Command, Stdio};
 use std::thread;
 
-use hooke_everywhere::Row;
-
 /// A machine, or a way to use one.
 pub struct Machine {
     /// What the table calls it.
     pub name: String,
     command: String,
-    /// Only one row in so many is asked for: it is slow.
-    every: usize,
 }
 
-/// Of a row that was asked for, its line.
-pub type Answer = Option<String>;
-
 impl Machine {
-    /// Of a line: name, tab, one row in how many, tab, command.
+    /// Of a line: name, tab, command.
     pub fn of(line: &str) -> Result<Self, String> {
-        let mut fields = line.splitn(3, '\t');
-        let (Some(name), Some(every), Some(command)) = (fields.next(), fields.next(), fields.next()) else {
-            return Err(format!("{line}: not a name, one row in how many, and a command"));
-        };
-        let every =
-            every.parse().ok().filter(|every| *every > 0).ok_or_else(|| format!("{line}: one row in {every}"))?;
-        Ok(Self { name: name.to_owned(), command: command.to_owned(), every })
-    }
-
-    /// The lines of its rows.
-    fn rows(&self) -> Result<Vec<Answer>, String> {
-        if self.every == 1 {
-            return Ok(self.ask("")?.into_iter().map(Some).collect());
-        }
-        let rows: Vec<Row> = Row::all().collect();
-        let (first, second) = rows.split_at(rows.len() / 2 / self.every * self.every);
-        let ask = |rows: &[Row]| -> Result<Vec<Answer>, String> {
-            let one = |(number, row): (usize, &Row)| {
-                if number % self.every != 0 {
-                    return Ok(None);
-                }
-                let last = self.ask(&row.to_string())?.pop().unwrap_or_default();
-                Ok(Some(format!("{row} {last}")))
-            };
-            rows.iter().enumerate().map(one).collect()
-        };
-        thread::scope(|scope| {
-            let second = scope.spawn(|| ask(second));
-            let first = ask(first)?;
-            Ok([first, second.join().map_err(|_| "a thread has panicked".to_owned())??].concat())
-        })
+        let (name, command) = line.split_once('\t').ok_or_else(|| format!("{line}: not a name and a command"))?;
+        Ok(Self { name: name.to_owned(), command: command.to_owned() })
     }
 
     /// The lines that it answers to a question.
@@ -72,9 +36,9 @@ impl Machine {
 }
 
 /// The rows of all of them, which run at the same time.
-pub fn ask_all(machines: &[Machine]) -> Result<Vec<Vec<Answer>>, String> {
+pub fn ask_all(machines: &[Machine]) -> Result<Vec<Vec<String>>, String> {
     thread::scope(|scope| {
-        let asked: Vec<_> = machines.iter().map(|machine| scope.spawn(|| machine.rows())).collect();
+        let asked: Vec<_> = machines.iter().map(|machine| scope.spawn(|| machine.ask(""))).collect();
         let answers = asked.into_iter().map(|answer| answer.join().map_err(|_| "a thread has panicked".to_owned())?);
         answers.collect()
     })

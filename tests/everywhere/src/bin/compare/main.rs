@@ -1,5 +1,5 @@
 //! Compares the rows of machines with the golden ones: `compare GOLDEN [mint]`, with a line for each machine on standard input,
-//! its name, a tab, one row in how many it is asked, a tab, and a command that takes the question as its last words.
+//! its name, a tab, and a command that takes the question as its last words.
 //!
 //! A row that differs is stepped again on both sides, to name the step, the particle and the component that differ first.
 
@@ -41,8 +41,7 @@ fn compare() -> Result<bool, String> {
         return Ok(Table { machines: &machines, answers: &answers, golden: &rows }.tell());
     }
     let first = answers.first().ok_or("there is no machine to mint on")?;
-    let first: Vec<String> = first.iter().flatten().cloned().collect();
-    let agree = Table { machines: &machines, answers: &answers, golden: &first }.tell();
+    let agree = Table { machines: &machines, answers: &answers, golden: first }.tell();
     if agree {
         fs::write(&golden, first.join("\n") + "\n").map_err(|error| format!("{golden}: {error}"))?;
         println!("minted {golden}");

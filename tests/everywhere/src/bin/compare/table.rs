@@ -3,7 +3,7 @@
 use hooke_everywhere::Precision;
 
 use crate::difference::first_difference;
-use crate::machine::{Answer, Machine};
+use crate::machine::Machine;
 
 /// So many of a machine's differences are looked into.
 const EXPLAINED: usize = 3;
@@ -13,7 +13,7 @@ pub struct Table<'a> {
     /// A column of answers each.
     pub machines: &'a [Machine],
     /// By machine, a line a row.
-    pub answers: &'a [Vec<Answer>],
+    pub answers: &'a [Vec<String>],
     /// A line a row.
     pub golden: &'a Vec<String>,
 }
@@ -29,13 +29,10 @@ impl Table<'_> {
         for (machine, answer) in self.machines.iter().zip(self.answers) {
             let mut cells = String::new();
             for precision in Precision::ALL {
-                let of_it = |row: &&(usize, &String)| row.1.split(' ').nth(2) == Some(precision.name());
-                let asked = |number: &usize| !matches!(answer.get(*number), Some(None));
-                let rows: Vec<_> = self.golden.iter().enumerate().filter(|(number, _)| asked(number)).collect();
-                let (right, others): (Vec<_>, Vec<_>) = rows
-                    .iter()
-                    .filter(of_it)
-                    .partition(|(number, row)| answer.get(*number).and_then(Option::as_ref) == Some(row));
+                let of_it = |row: &(usize, &String)| row.1.split(' ').nth(2) == Some(precision.name());
+                let rows = self.golden.iter().enumerate().filter(of_it);
+                let (right, others): (Vec<_>, Vec<_>) =
+                    rows.partition(|(number, row)| answer.get(*number) == Some(row));
                 let all = right.len() + others.len();
                 cells += &format!("{:>16}", format!("{}/{all}", right.len()));
                 counts = (counts.0 + right.len(), counts.1 + others.len());
@@ -70,7 +67,7 @@ impl Table<'_> {
                     .machines
                     .iter()
                     .zip(self.answers)
-                    .find(|(_, answer)| answer.get(*number).and_then(Option::as_deref) == Some(row));
+                    .find(|(_, answer)| answer.get(*number).is_some_and(|answer| answer == row));
                 let told = match right {
                     Some((right, _)) => first_difference(&name, machine, right).unwrap_or_else(|error| error),
                     None => "no machine has the golden bits: what is computed has changed, on all of them".to_owned(),
