@@ -60,6 +60,7 @@ fn add_part<R: Real, F: Tension>(springs: &Springs<'_, R>, piece: &Piece, forces
     pull_damped_or_not::<R, F>(damped, presences.iter().map(|presence| (law, *presence != 0)), piece, forces)
 }
 
+/// The same, without damping where there is none, unless the program is to be compact.
 #[inline(always)]
 fn pull_damped_or_not<R: Real, F: Tension>(
     damped: bool,

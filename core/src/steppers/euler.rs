@@ -79,7 +79,7 @@ impl<R: Real, const EXPLICIT: bool> Then<R> for Update<'_, R, EXPLICIT> {
             let finite = update(Along { dt, x: y, v, a: y_a, next: y_next }) & finite;
             return update(Along { dt, x: z, v: w, a: z_a, next: z_next }) & finite;
         }
-        let particles = Particles { explicit: EXPLICIT, dt, x, v, rest: tile.rest };
+        let particles = Particles { is_explicit: EXPLICIT, dt, x, v, rest: tile.rest };
         R::Loops::update_all(particles, tile.below, [x_next, y_next, z_next])
     }
 }
@@ -124,7 +124,7 @@ impl<R: Real> Along<'_, R> {
 
 /// What a tile's particles are to be updated from, but for the forces from below.
 pub struct Particles<'a, R> {
-    explicit: bool,
+    is_explicit: bool,
     dt: R,
     x: Columns<'a, R>,
     v: Columns<'a, R>,
@@ -141,7 +141,11 @@ impl<R: Real> Particles<'_, R> {
 
     #[inline(always)]
     fn by<A: Rule<R>>(self, rule: A, below: ColumnsMut<'_, R>, next: ColumnsMut<'_, R>) -> bool {
-        if self.explicit { self.each::<A, true>(rule, below, next) } else { self.each::<A, false>(rule, below, next) }
+        if self.is_explicit {
+            self.each::<A, true>(rule, below, next)
+        } else {
+            self.each::<A, false>(rule, below, next)
+        }
     }
 
     #[inline(always)]

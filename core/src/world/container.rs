@@ -231,14 +231,14 @@ impl<R: Real, M: Storage> Container<R, M> {
     #[must_use]
     pub fn position(&self, particle: u32) -> Option<R::Vec3> {
         let slot = self.slot(particle).ok()?;
-        Some(told(self.particles.state.get(self.front)?.position(), slot))
+        Some(told(self.current().position(), slot))
     }
 
     /// How fast a particle moves, m/s; nothing if there is no such particle.
     #[must_use]
     pub fn velocity(&self, particle: u32) -> Option<R::Vec3> {
         let slot = self.slot(particle).ok()?;
-        Some(told(self.particles.state.get(self.front)?.velocity(), slot))
+        Some(told(self.current().velocity(), slot))
     }
 
     /// The time of the state, s.

@@ -6,7 +6,7 @@ use crate::compiled::HotLoops;
 use crate::types::{Plane, SetError, Spring};
 use crate::vectors::{at, put};
 use crate::world::clock::Clock;
-use crate::world::layout::SpringColumns;
+use crate::world::layout::{SpringColumns, StateColumns};
 use crate::world::storage::{Column, Storage};
 use crate::world::view::states_of;
 
@@ -17,10 +17,15 @@ impl<R: Real, M: Storage> Container<R, M> {
         self.particles.count()
     }
 
+    /// The state now.
+    pub(super) fn current(&self) -> &StateColumns<R, M> {
+        let [a, b] = &self.particles.state;
+        if self.front == 0 { a } else { b }
+    }
+
     /// Where all particles are (m) and how fast they move (m/s), in the order of their numbers.
     pub fn states(&self) -> impl Iterator<Item = (R::Vec3, R::Vec3)> {
-        let [a, b] = &self.particles.state;
-        let state = if self.front == 0 { a } else { b };
+        let state = self.current();
         states_of(state.position(), state.velocity(), self.particles.slot_of.items())
     }
 
@@ -39,16 +44,12 @@ impl<R: Real, M: Storage> Container<R, M> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn write_positions(&self, to: &mut [[f32; 3]]) {
-        let [a, b] = &self.particles.state;
-        let state = if self.front == 0 { a } else { b };
-        R::Loops::tell(state.position(), self.particles.slot_of.items(), to);
+        R::Loops::tell(self.current().position(), self.particles.slot_of.items(), to);
     }
 
     /// Writes how fast particles move, m/s, likewise.
     pub fn write_velocities(&self, to: &mut [[f32; 3]]) {
-        let [a, b] = &self.particles.state;
-        let state = if self.front == 0 { a } else { b };
-        R::Loops::tell(state.velocity(), self.particles.slot_of.items(), to);
+        R::Loops::tell(self.current().velocity(), self.particles.slot_of.items(), to);
     }
 
     /// All springs with their numbers, in no particular order.
